@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.dialog;
 
 import cz.paprsek.fx.view.texts.Texts;
+import java.util.Optional;
 import javafx.application.Platform;
 import javafx.event.ActionEvent;
 import javafx.scene.Node;
@@ -37,14 +38,26 @@ public final class ColorBox extends ColorPicker {
                     ask();
                 });
                 window.getScene().getRoot().lookupAll(".color-square").forEach(this::name);
+                hideFrame(window.getScene().getRoot());
             }
         }));
     }
 
     /** Says over a colour of the palette what it is called. */
     private void name(Node square) {
-        ((Parent) square).getChildrenUnmodifiable().stream().filter(Rectangle.class::isInstance).map(rectangle -> ((Rectangle) rectangle).getFill())
-                .filter(Color.class::isInstance).map(Color.class::cast).findFirst().ifPresent(color -> Tooltip.install(square, new Tooltip(ColorNames.of(color, texts))));
+        fill(square).ifPresent(color -> Tooltip.install(square, new Tooltip(ColorNames.of(color, texts))));
+    }
+
+    /** Shows no frame about a chosen colour that the palette does not have: JavaFX puts it at the corner. */
+    private void hideFrame(Parent palette) {
+        if (palette.lookupAll(".color-square").stream().noneMatch(square -> fill(square).filter(getValue()::equals).isPresent())) {
+            palette.lookupAll(".hover-square").forEach(frame -> frame.setVisible(false));
+        }
+    }
+
+    private static Optional<Color> fill(Node square) {
+        return ((Parent) square).getChildrenUnmodifiable().stream().filter(Rectangle.class::isInstance).map(rectangle -> ((Rectangle) rectangle).getFill())
+                .filter(Color.class::isInstance).map(Color.class::cast).findFirst();
     }
 
     private void ask() {

@@ -92,6 +92,21 @@ class ColorBoxTest {
     }
 
     @Test
+    void aColourThatThePaletteDoesNotHaveIsNotFramedAtItsCorner() {
+        try (Gui gui = Gui.show(() -> new StackPane(box), 300, 200)) {
+            gui.act(() -> box.setValue(Color.rgb(240, 236, 226)));
+            gui.act(box::show);
+            gui.until("the palette is there", () -> found(".color-square").findAny().isPresent());
+            assertThat(Gui.on(() -> found(".hover-square").anyMatch(Node::isVisible))).isFalse();
+            gui.act(box::hide);
+            gui.act(() -> box.setValue(Color.BLACK));
+            gui.act(box::show);
+            assertThat(Gui.on(() -> one(".hover-square").isVisible())).isTrue();
+            gui.act(box::hide);
+        }
+    }
+
+    @Test
     void numbersAndStripsAreInStep() {
         try (Gui gui = Gui.show(() -> new StackPane(box), 300, 200)) {
             gui.act(() -> box.setValue(Color.BLACK));
