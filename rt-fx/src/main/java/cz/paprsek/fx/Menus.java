@@ -80,6 +80,7 @@ final class Menus {
     MenuBar menuBar() {
         MenuBar bar = new MenuBar(fileMenu(), editMenu(), addMenu(), objectMenu(), viewMenu(), renderMenu(), teachMenu(), helpMenu());
         bar.setId("menu-bar");
+        bar.getMenus().forEach(menu -> menu.addEventHandler(Menu.ON_SHOWING, event -> MenuLook.beforeOpening(menu, bar)));
         return bar;
     }
 

@@ -9,6 +9,8 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Scene;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuBar;
 import javafx.scene.layout.StackPane;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
@@ -38,6 +40,28 @@ class WindowPlaceTest {
                     && second.stage().getX() == 60 && second.stage().getY() == 40);
         }
         assertThat(unknown.get()).isFalse();
+    }
+
+    /** Measured with the sizes of the theme alone it would be higher than the screen has room below the bar. */
+    @Test
+    void theLongestMenuOpensBelowTheBarTheFirstTime() {
+        EditorGui editor = new EditorGui(folder, cz.paprsek.scene.Scene.EMPTY);
+        try {
+            MenuBar bar = (MenuBar) editor.gui.node("#menu-bar");
+            Menu menu = bar.getMenus().stream().filter(known -> "menu-object".equals(known.getId())).findFirst().orElseThrow();
+            editor.gui.act(menu::show);
+            double first = top(menu);
+            editor.gui.act(menu::hide);
+            editor.gui.act(menu::show);
+            assertThat(first).isEqualTo(top(menu)).isGreaterThan(Gui.on(() -> bar.localToScreen(0, 0.5 * bar.getHeight()).getY()));
+            editor.gui.act(menu::hide);
+        } finally {
+            editor.close();
+        }
+    }
+
+    private static double top(Menu menu) {
+        return Gui.on(() -> menu.getItems().get(0).getParentPopup().getAnchorY());
     }
 
     @ParameterizedTest
