@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.fx.view.command.Command;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.find.HelpPane;
+import cz.paprsek.fx.view.look.MenuLook;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.shell.AddPalette;
 import cz.paprsek.fx.view.texts.Shortcut;

@@ -1,4 +1,4 @@
-package cz.paprsek.fx;
+package cz.paprsek.fx.view.look;
 
 import javafx.scene.Parent;
 import javafx.scene.Scene;
@@ -10,10 +10,11 @@ import javafx.scene.control.MenuBar;
  * Has a menu look as it will before JavaFX measures it: it finds the place of one that opens for the first time with the sizes of the theme alone, and moves one that
  * would be too high with these upwards, over the bar.
  */
-final class MenuLook {
+public final class MenuLook {
     private MenuLook() {}
 
-    static void beforeOpening(Menu menu, MenuBar bar) {
+    /** To be called each time before a menu of a bar is shown. */
+    public static void beforeOpening(Menu menu, MenuBar bar) {
         ContextMenu popup = menu.getItems().isEmpty() ? null : menu.getItems().get(0).getParentPopup();
         if (popup == null || popup.isShowing()) {
             return;
