@@ -105,8 +105,8 @@ public final class Dropping {
     }
 
     /**
-     * As large as a thing can be that stands on a floor: it stays below what is above it, by boxes, also when something beside it, on the same floor, lifts it. Unchanged at walls,
-     * below ceilings, and where there is no room at all.
+     * As large as a thing can be that stands on a floor: it stays below what is above it, also when something beside it, on the same floor, lifts it. The smallest where there is no
+     * room at all; unchanged at walls and below ceilings.
      *
      * @param sight the point that it is dropped on, and how large it would be
      * @param side the surface's normal at the point, of length 1, towards the viewer
@@ -115,28 +115,12 @@ public final class Dropping {
         if (side.y() <= LEVEL) {
             return sight;
         }
-        List<Bounds> all = Alignment.with(state, List.of()).others();
+        Headroom room = new Headroom(state);
         Sight fit = sight;
-        for (int step = 0; step < SIZES; step++) {
-            if (fits(all, fit)) {
-                return fit;
-            }
+        for (int step = 0; step < SIZES && !room.fits(fit.point(), fit.size() * WIDEST, fit.size() * TALLEST, fit.size()); step++) {
             fit = fit.smaller();
         }
-        return sight;
-    }
-
-    private static boolean fits(List<Bounds> all, Sight sight) {
-        Vec3 at = sight.point();
-        double half = sight.size() * WIDEST / 2;
-        double floor = at.y() + SLACK * sight.size();
-        List<Bounds> near = all.stream()
-                .filter(box -> box.minX() < at.x() + half && box.maxX() > at.x() - half && box.minZ() < at.z() + half && box.maxZ() > at.z() - half).toList();
-        double roof = near.stream().map(Bounds::minY).filter(y -> y > floor).min(Comparator.naturalOrder()).orElse(Double.POSITIVE_INFINITY);
-        // What is around the point is what it stands in, or on.
-        double lifted = near.stream()
-                .filter(box -> box.minY() <= floor && box.maxY() > floor && !box.contains(new Vec3(at.x(), floor, at.z()))).map(Bounds::maxY).max(Comparator.naturalOrder()).orElse(at.y());
-        return lifted + sight.size() * TALLEST <= roof * (1 + SLACK);
+        return fit;
     }
 
     /** Whether there are walls below it, which do not go on above it. */
