@@ -17,6 +17,9 @@ import java.util.function.Predicate;
 public record Sight(Vec3 point, double size) {
     /** The share of the picture's height that a new thing takes. */
     private static final double SHARE = 0.25;
+    /** A grid has so many steps to a size; and what keeps to none so many to a step. */
+    private static final double COARSE = 4;
+    private static final double FINE = 250;
     /** From 5 the nearest round size is then 2, from 2 it is 1, from 1 it is 0.5. */
     private static final double STEP = 2.2;
 
@@ -48,14 +51,19 @@ public record Sight(Vec3 point, double size) {
      */
     public static Sight chosen(Vec3 point, Vec3 side, double height, boolean snaps) {
         double size = round(height * SHARE);
-        double grid = size / (snaps ? 4 : 1000);
+        double grid = size / (snaps ? COARSE : COARSE * FINE);
         Vec3 near = new Vec3(snap(point.x(), grid), snap(point.y(), grid), snap(point.z(), grid));
         return new Sight(near.plus(side.times(point.minus(near).dot(side))), size);
     }
 
-    /** As large at a point that a hand has chosen; on a grid for that size if it snaps, else only rounded. */
-    public Sight moved(Vec3 to, boolean snaps) {
-        return chosen(to, Vec3.ZERO, size / SHARE, snaps);
+    /**
+     * As large at a point that a hand has chosen; on a grid if it snaps, else only rounded.
+     *
+     * @param step of the grid that is seen there, scene units; it counts where it is finer than one for that size
+     */
+    public Sight moved(Vec3 to, boolean snaps, double step) {
+        double grid = Math.min(size / COARSE, step) / (snaps ? 1 : FINE);
+        return new Sight(new Vec3(snap(to.x(), grid), snap(to.y(), grid), snap(to.z(), grid)), size);
     }
 
     /** One with the next smaller round size. */

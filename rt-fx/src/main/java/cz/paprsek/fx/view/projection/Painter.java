@@ -181,18 +181,18 @@ final class Painter {
         return new BoundingBox(x - halfWidth, y - halfHeight, 2 * halfWidth, 2 * halfHeight);
     }
 
-    /** A name beside a box, where there is a place for it. */
-    void name(String text, Box box) {
+    /** Keeps a place for a name beside a box, where there is one; run, it draws the name there. */
+    Runnable name(String text, Box box) {
         Bounds thing = new BoundingBox(view.x(box.minU()), view.y(box.maxV()), view.x(box.maxU()) - view.x(box.minU()), view.y(box.minV()) - view.y(box.maxV()));
-        name(text, thing, 14, 36, palette.selected());
+        return name(text, thing, 14, 36, palette.selected());
     }
 
-    private void name(String text, Bounds thing, double gap, double gapAbove, Color color) {
+    private Runnable name(String text, Bounds thing, double gap, double gapAbove, Color color) {
         Bounds size = Plate.size(NAME_FONT, text);
-        Plate.beside(view, size, thing, gap, gapAbove, taken).ifPresent(at -> {
-            Plate.draw(g, view, NAME_FONT, text, at, color, palette.background());
+        return Plate.beside(view, size, thing, gap, gapAbove, taken).<Runnable>map(at -> {
             taken.add(Plate.ground(size, at));
-        });
+            return () -> Plate.draw(g, view, NAME_FONT, text, at, color, palette.background());
+        }).orElse(() -> {});
     }
 
     /** Where something that moves is at another time. */
@@ -371,7 +371,7 @@ final class Painter {
         g.strokeRect(x - CAMERA_HALF_WIDTH, y - CAMERA_HALF_HEIGHT, 2 * CAMERA_HALF_WIDTH, 2 * CAMERA_HALF_HEIGHT);
         g.strokeOval(x - 3, y - 3, 6, 6);
         if (!isSelected && !name.isEmpty() && x >= 0 && x <= view.width() && y >= 0 && y <= view.height()) {
-            name(name, about(x, y, 0, 0), 14, 14, palette.camera());
+            name(name, about(x, y, 0, 0), 14, 14, palette.camera()).run();
         }
     }
 

@@ -24,6 +24,8 @@ final class Plate {
     /** What is left free of names at the upper rim, for an axis' letter, and at the lower one, for numbers, pixels. */
     private static final double HEAD = 26;
     private static final double NUMBERS = 22;
+    /** From a side of a thing to a name within it: as far as a handle reaches, pixels. */
+    private static final double WITHIN = 7;
     /** From the mouse to its figures, pixels. */
     private static final double AWAY = 14;
 
@@ -43,7 +45,8 @@ final class Plate {
     }
 
     /**
-     * Where a name stands beside a thing: to the right of its foot, below it, above or to the left of it, within the pane, and on nothing that is grabbed or is a sign; empty if there is no such place.
+     * Where a name stands: to the right of a thing's foot, below it, above or to the left of it, beside its middle, else within it, below its upper side or above its lower one; within the pane,
+     * and on nothing that is grabbed or is a sign; empty if there is no such place.
      *
      * @param thing about the thing, pixels
      * @param gap from it to the name, pixels, and likewise above it
@@ -53,8 +56,15 @@ final class Plate {
     static Optional<Point2D> beside(Viewport view, Bounds name, Bounds thing, double gap, double gapAbove, List<Bounds> taken) {
         double middle = thing.getCenterX() - name.getWidth() / 2;
         double foot = thing.getMaxY() + FOOT;
-        return Stream.of(new Point2D(thing.getMaxX() + gap, foot), new Point2D(middle, thing.getMaxY() + gap - name.getMinY()),
-                        new Point2D(middle, thing.getMinY() - gapAbove - name.getMaxY()), new Point2D(thing.getMinX() - gap - name.getWidth(), foot))
+        double half = thing.getCenterY() - name.getCenterY();
+        double right = thing.getMaxX() + gap;
+        double left = thing.getMinX() - gap - name.getWidth();
+        double top = Math.max(thing.getMinY(), 0) + WITHIN - name.getMinY();
+        double bottom = Math.min(thing.getMaxY(), view.height()) - WITHIN - name.getMaxY();
+        return Stream.of(new Point2D(right, foot), new Point2D(middle, thing.getMaxY() + gap - name.getMinY()),
+                        new Point2D(middle, thing.getMinY() - gapAbove - name.getMaxY()), new Point2D(left, foot),
+                        new Point2D(right, half), new Point2D(left, half), new Point2D(middle, top), new Point2D(middle, bottom),
+                        new Point2D((thing.getMinX() + middle) / 2, top), new Point2D((thing.getMaxX() + middle) / 2, top))
                 .map(at -> new Point2D(Math.max(MARGIN, Math.min(view.width() - name.getWidth() - MARGIN, at.getX())), Math.min(view.height() - NUMBERS, Math.max(HEAD, at.getY()))))
                 .filter(at -> taken.stream().noneMatch(ground(name, at)::intersects)).findFirst();
     }

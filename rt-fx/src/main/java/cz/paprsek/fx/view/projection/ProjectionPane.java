@@ -4,6 +4,7 @@ import cz.paprsek.drawing.Segment;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Places;
+import cz.paprsek.fx.model.edit.Rounds;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.view.command.Edits;
@@ -125,9 +126,9 @@ public final class ProjectionPane extends Region {
         return Sight.at(axes.vector(view.centreU(), view.centreV()).plus(axes.inDepth(depth)), getHeight() / view.scale());
     }
 
-    /** Where something is that is put at a point of this view, at the depth of what is looked at, and as large as there; on a grid if drags keep to one. */
+    /** Where something is that is put at a point of this view, at the depth of what is looked at, and as large as there; if drags keep to a grid, on the finer of that and one for its size. */
     public Sight sightAt(double x, double y, Sight gaze) {
-        return gaze.moved(axes.vector(view.u(x), view.v(y)).plus(axes.inDepth(gaze.point())), snaps());
+        return gaze.moved(axes.vector(view.u(x), view.v(y)).plus(axes.inDepth(gaze.point())), snaps(), Rounds.step(view.scale()));
     }
 
     /** The two coordinates of a point that this projection shows, to a pixel: "x 1.25   z −3". */
@@ -370,13 +371,14 @@ public final class ProjectionPane extends Region {
         Grid.numbers(g, view, axes, theme().palette(), texts.locale());
         Grid.names(g, view, axes, theme().palette());
         painter.avoid(state, handleBox(), grips());
+        Box selected = figures.box(state.selection());
+        boolean isNamed = !selected.isEmpty() && view.shows(selected);
+        // Before the names of cameras, which may be many.
+        Runnable name = isNamed ? painter.name(PathNames.of(state.scene(), state.selection(), texts), selected) : () -> {};
         painter.cameras(state, texts);
         if (!state.selection().isEmpty()) {
             painter.handles(handleBox(), true);
-            Box box = figures.box(state.selection());
-            if (!box.isEmpty() && view.shows(box)) {
-                painter.name(PathNames.of(state.scene(), state.selection(), texts), box);
-            }
+            name.run();
             painter.grips(grips());
         }
         rays.ifPresent(RayPainter.on(g, theme(), (from, to) -> List.of(segment(from, to)))::draw);

@@ -127,8 +127,9 @@ class DroppingTest {
     @Test
     void whatIsDroppedFromAboveIsAsLargeAsWhereTheCameraLooks() {
         Sight gaze = Sight.of(room);
-        assertThat(gaze.moved(new Vec3(1.0301, 2, 3), true)).isEqualTo(new Sight(new Vec3(1, 2, 3), gaze.size()));
-        assertThat(gaze.moved(new Vec3(1.0301, 2, 3), false).point().x()).isCloseTo(1.03, within(1e-3));
+        assertThat(gaze.moved(new Vec3(1.0301, 2, 3), true, 1)).isEqualTo(new Sight(new Vec3(1, 2, 3), gaze.size()));
+        assertThat(gaze.moved(new Vec3(1.0301, 2, 3), true, 0.02)).as("zoomed far in").isEqualTo(new Sight(new Vec3(1.04, 2, 3), gaze.size()));
+        assertThat(gaze.moved(new Vec3(1.0301, 2, 3), false, 1).point().x()).isCloseTo(1.03, within(1e-3));
         assertThat(new Sight(Vec3.ZERO, 5).smaller().smaller().smaller().smaller().size()).isEqualTo(0.2);
     }
 

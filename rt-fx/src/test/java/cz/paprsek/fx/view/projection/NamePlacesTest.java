@@ -24,7 +24,7 @@ class NamePlacesTest {
     }
 
     @Test
-    void isRightBelowAboveLeftOrNowhere() {
+    void isRightBelowAboveLeftBesideTheMiddleOrWithin() {
         Point2D right = new Point2D(264, 164);
         Point2D below = new Point2D(175, 184);
         Point2D above = new Point2D(175, 62);
@@ -33,7 +33,10 @@ class NamePlacesTest {
         assertThat(place(THING, on(right))).contains(below);
         assertThat(place(THING, on(right), on(below))).contains(above);
         assertThat(place(THING, on(right), on(below), on(above))).contains(left);
-        assertThat(place(THING, on(right), on(below), on(above), on(left))).isEmpty();
+        Bounds all = new BoundingBox(0, 0, 400, 300);
+        assertThat(place(THING, on(right), on(below), on(above), on(left))).contains(new Point2D(264, 134));
+        assertThat(place(THING, on(right), on(below), on(above), new BoundingBox(0, 0, 148, 300), on(new Point2D(264, 134)))).as("below its upper side").contains(new Point2D(175, 117));
+        assertThat(place(THING, all)).isEmpty();
     }
 
     @Test
