@@ -100,8 +100,7 @@ final class MainWindow {
         PropertySheet sheet = new PropertySheet(model, texts, editor.proportional(), editor.fileFinder(), editor.clock());
         sheet.offerPipette(commands.pipette());
         root.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
-            if (event.getCode() == KeyCode.ESCAPE && edits.pipette().isActive()) {
-                edits.pipette().cancel();
+            if (event.getCode() == KeyCode.ESCAPE && views.giveUp()) {
                 event.consume();
             }
         });

@@ -77,7 +77,7 @@ final class Views {
     /** How many scenes had been opened when the free view was shown. */
     private int freeOpenings = -1;
     /** Held here, because the model, which may outlive the views, holds them weakly. */
-    private final InvalidationListener onOpened = changed -> whole();
+    private final ChangeListener<Object> onOpened = (property, old, now) -> opened();
     private final InvalidationListener onState = changed -> aimFree();
     /** Held here likewise: what was said of a part is past when there is another, or none any more. */
     private final ChangeListener<Framing> onFraming;
@@ -116,7 +116,7 @@ final class Views {
         camera.acceptEdits(commands.edits(), editor.snapping());
         camera.acceptRegions(editor.renders().framing(), part -> {
             editor.renders().setRegion(part);
-            editor.say(part.map(tile -> ofPart(tile, texts)).orElse(""));
+            part.ifPresentOrElse(tile -> editor.say(ofPart(tile, texts)), () -> editor.unsay(texts.of("view.region-drag")));
         });
         onFraming = (property, old, now) -> old.part().filter(tile -> !now.part().equals(old.part())).ifPresent(tile -> editor.unsay(ofPart(tile, texts)));
         editor.renders().framing().addListener(new WeakChangeListener<>(onFraming));
@@ -138,7 +138,7 @@ final class Views {
         freeCommands = new FreeCommands(commands.edits(), free, () -> freeShown.set(true), () -> editor.say(texts.of("view.camera-locked")));
         freeView.addTool(freeButton(texts));
         freeShown.addListener((property, old, now) -> showFree(now));
-        model.openingsProperty().addListener(new WeakInvalidationListener(onOpened));
+        model.openingsProperty().addListener(new WeakChangeListener<>(onOpened));
         model.stateProperty().addListener(new WeakInvalidationListener(onState));
         free.focusWithinProperty().addListener((property, old, now) -> last = now ? free : last);
         last = camera;
@@ -148,6 +148,17 @@ final class Views {
         for (ProjectionPane pane : projections) {
             pane.focusedProperty().addListener((property, old, now) -> active = now ? Optional.of(pane) : active);
         }
+    }
+
+    /** What was asked for is of the scene before. */
+    private void opened() {
+        whole();
+        List.of(camera, free).forEach(CameraPane::freeMouse);
+    }
+
+    /** Gives up what the mouse was asked for in whatever view, as Escape does wherever the keyboard is; whether there was anything. */
+    boolean giveUp() {
+        return camera.giveUp() || free.giveUp();
     }
 
     private static String ofPart(Tile part, Texts texts) {
@@ -247,10 +258,13 @@ final class Views {
     private void takeMaterials(Editor editor, Pipette pipette) {
         Texts texts = editor.texts();
         pipette.activeProperty().addListener((property, old, now) -> {
-            List.of(free, camera).forEach(now ? pane -> await(pane, pipette) : CameraPane::awaitNothing);
+            List.of(free, camera).forEach(now ? pane -> await(pane, pipette) : CameraPane::freeMouse);
             projections.forEach(pane -> pane.setCursor(now ? Cursor.CROSSHAIR : Cursor.DEFAULT));
-            editor.say(now ? texts.of("view.pipette-click")
-                    : pipette.taken().map(from -> texts.of("view.pipette-done", PathNames.of(model.scene(), from, texts))).orElse(""));
+            if (now) {
+                editor.say(texts.of("view.pipette-click"));
+            } else {
+                pipette.taken().ifPresentOrElse(from -> editor.say(texts.of("view.pipette-done", PathNames.of(model.scene(), from, texts))), () -> editor.unsay(texts.of("view.pipette-click")));
+            }
         });
     }
 
@@ -272,7 +286,7 @@ final class Views {
                     model.edit(Label.of(Label.Edit.CAMERA), scene -> Cameras.focused(scene, eye, pick.point()));
                     editor.say(editor.texts().of("view.focus-done", PathNames.of(point.scene().scene(), pick.place(), editor.texts())));
                 },
-                () -> editor.say(editor.texts().of("view.focus-nothing"))), () -> editor.say(""));
+                () -> editor.say(editor.texts().of("view.focus-nothing"))), () -> editor.unsay(editor.texts().of("view.focus-click")));
         editor.say(editor.texts().of("view.focus-click"));
     }
 

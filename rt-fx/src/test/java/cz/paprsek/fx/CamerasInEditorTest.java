@@ -66,6 +66,40 @@ class CamerasInEditorTest {
     }
 
     @Test
+    void whatTheMouseIsAskedForEndsByEscapeAnywhereByWhoAsksNextAndWithTheScene() {
+        Scene before = editor.model().scene();
+        Node picture = editor.gui.node(".live-picture");
+        Bounds frame = editor.gui.node(".picture-frame").getBoundsInParent();
+        editor.menu("view-menu-focus");
+        editor.gui.act(() -> editor.gui.node("#tree-list").requestFocus());
+        editor.gui.keys(KeyCode.ESCAPE);
+        assertThat(editor.status()).as("what was asked").isEmpty();
+        editor.menu("view-menu-focus");
+        editor.gui.act(() -> editor.editor.say("Newer."));
+        editor.gui.keys(KeyCode.ESCAPE);
+        assertThat(editor.status()).isEqualTo("Newer.");
+        editor.menu("view-menu-focus");
+        editor.gui.act(picture::requestFocus);
+        editor.gui.keys(KeyCode.B);
+        editor.gui.drag(picture, frame.getMinX() + 2, frame.getMinY() + 2, frame.getMaxX() - 2, frame.getMaxY() - 2);
+        assertThat(editor.model().selection()).as("in the rubber band").isNotEmpty();
+        assertThat(editor.model().scene()).as("nothing made sharp, nothing turned").isSameAs(before);
+        editor.gui.act(picture::requestFocus);
+        editor.gui.keys(KeyCode.B);
+        editor.menu("view-menu-focus");
+        editor.menu("render-menu-region");
+        editor.menu("template-studio");
+        editor.gui.until("the picture is complete", editor.editor::isPictureComplete);
+        Scene opened = editor.model().scene();
+        Bounds inside = editor.gui.node(".picture-frame").getBoundsInParent();
+        editor.gui.click(picture, inside.getCenterX(), inside.getCenterY());
+        assertThat(editor.model().selection()).as("a click selects").isNotEmpty();
+        editor.gui.drag(picture, inside.getMinX() + 5, inside.getMinY() + 5, inside.getMinX() + 60, inside.getMinY() + 40);
+        assertThat(editor.editor.renders().framing().getValue().part()).as("no part is drawn").isEmpty();
+        assertThat(editor.model().scene().camera().lens()).as("nothing is made sharp").isEqualTo(opened.camera().lens());
+    }
+
+    @Test
     void theFirstPictureWithSoftEdgesShadowsAndBackgroundTakesFourClicks() {
         editor.menu("template-studio");
         editor.gui.until("the picture is complete", editor.editor::isPictureComplete);

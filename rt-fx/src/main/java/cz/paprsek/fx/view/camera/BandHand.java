@@ -48,13 +48,18 @@ final class BandHand {
 
     /** Whether it was armed, or drawn. */
     boolean disarm() {
-        boolean was = isArmed || start.isPresent();
+        boolean was = isAwaited();
         if (was) {
             picture.setCursor(Cursor.DEFAULT);
         }
         isArmed = false;
         start = Optional.empty();
         return was;
+    }
+
+    /** Whether it is armed, or drawn. */
+    boolean isAwaited() {
+        return isArmed || start.isPresent();
     }
 
     /** Whether a band begins here. */

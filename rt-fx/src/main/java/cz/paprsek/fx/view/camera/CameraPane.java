@@ -104,7 +104,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         getChildren().addAll(picture, size);
         picture.setOnMouseReleased(this::released);
         addEventFilter(KeyEvent.KEY_PRESSED, event -> {
-            if (event.getCode() == KeyCode.ESCAPE && awaited.end(Optional.empty())) {
+            if (event.getCode() == KeyCode.ESCAPE && giveUp()) {
                 event.consume();
             }
         });
@@ -152,13 +152,20 @@ public final class CameraPane extends StackPane implements AutoCloseable {
      * @param onGivenUp is run if it ends without a click
      */
     public void awaitClick(Consumer<PicturePoint> listener, Runnable onGivenUp) {
-        regions.ifPresent(RegionHand::disarm);
+        freeMouse();
         awaited.start(listener, onGivenUp);
     }
 
-    /** Waits no more. */
-    public void awaitNothing() {
+    /** Gives up what the mouse was asked for, as Escape does: a click, the part that is rendered alone, or a rubber band; whether there was anything. */
+    public boolean giveUp() {
+        return awaited.end(Optional.empty()) || regions.filter(RegionHand::giveUp).isPresent() || objects.filter(ObjectHand::giveUpBand).isPresent();
+    }
+
+    /** Gives up whatever the mouse was asked for; the part that is rendered alone stays as it is. */
+    public void freeMouse() {
         awaited.end(Optional.empty());
+        regions.ifPresent(RegionHand::disarm);
+        objects.ifPresent(ObjectHand::giveUpBand);
     }
 
     /** Lets materials be dropped on the objects of the picture. */
@@ -178,6 +185,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     public void acceptEdits(Edits edits, BooleanProperty snapping) {
         ObjectHand fresh = new ObjectHand(picture, edits, view, snapping::get, this::now, this::look);
         objects = Optional.of(fresh);
+        fresh.setOnBand(this::freeMouse);
         ModeBox box = new ModeBox(edits.texts(), fresh.modeProperty());
         StackPane.setAlignment(box, Pos.TOP_RIGHT);
         box.setVisible(fresh.hasHandles());
@@ -205,7 +213,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
 
     /** Has the next drag draw the part that is rendered alone. */
     public void drawRegion() {
-        awaitNothing();
+        freeMouse();
         regions.ifPresent(RegionHand::arm);
     }
 

@@ -52,6 +52,7 @@ final class ObjectHand {
     private final Supplier<EditorState> shown;
     private final Consumer<UnaryOperator<Camera>> look;
     private final BandHand band;
+    private Runnable onBand = () -> {};
     private final ObjectProperty<Handles.Mode> mode = new SimpleObjectProperty<>(Handles.Mode.MOVE);
     private Optional<Optional<Axis>> hovered = Optional.empty();
     /** What is pressed, until it is let go. */
@@ -264,6 +265,21 @@ final class ObjectHand {
         }
     }
 
+    /** Is told before the mouse is for a rubber band. */
+    void setOnBand(Runnable listener) {
+        onBand = listener;
+    }
+
+    /** Gives up a rubber band that was asked for or is drawn; whether there was one. */
+    boolean giveUpBand() {
+        Manipulation now = doing;
+        boolean was = band.isAwaited() && (now == null || !now.gesture().isOpen()) && idle(KeyCode.ESCAPE);
+        if (was) {
+            repaint();
+        }
+        return was;
+    }
+
     private boolean idle(KeyCode code) {
         isOver = isOver || (doing != null && held.isPresent());
         doing = null;
@@ -271,7 +287,10 @@ final class ObjectHand {
             case G -> begin(Handles.Mode.MOVE);
             case R -> begin(Handles.Mode.TURN);
             case S -> begin(Handles.Mode.SCALE);
-            case B -> band.arm();
+            case B -> {
+                onBand.run();
+                band.arm();
+            }
             case F -> look.accept(camera -> Looks.at(Alignment.around(shown.get(), shown.get().selection()), camera));
             case ESCAPE -> {
                 isOver = isOver || band.isDrawn();

@@ -74,6 +74,18 @@ final class RegionHand {
         picture.setCursor(Cursor.DEFAULT);
     }
 
+    /** Gives up what is drawn, or else the rectangle, if it was asked for; whether it was. */
+    boolean giveUp() {
+        boolean was = isArmed;
+        if (was && band.isDragging()) {
+            band.giveUp();
+        } else if (was) {
+            disarm();
+            onRegion.accept(Optional.empty());
+        }
+        return was;
+    }
+
     private void show(Framing now) {
         if (band.columns() != now.columns() || band.rows() != now.rows()) {
             RegionBand fresh = new RegionBand(now.columns(), now.rows());
@@ -148,14 +160,6 @@ final class RegionHand {
                 isOver = band.isDragging();
                 take();
                 disarm();
-            }
-            case ESCAPE -> {
-                if (band.isDragging()) {
-                    band.giveUp();
-                } else {
-                    disarm();
-                    onRegion.accept(Optional.empty());
-                }
             }
             default -> {
                 return;
