@@ -187,6 +187,11 @@ public record Affine(
         return similar ? Math.sqrt(x) : 0;
     }
 
+    /** At least the factor by which the length of any direction is multiplied (Frobenius norm). With that of the inverse, their product says how errors grow. */
+    public double norm() {
+        return Math.sqrt(xx * xx + xy * xy + xz * xz + yx * yx + yy * yy + yz * yz + zx * zx + zy * zy + zz * zz);
+    }
+
     private static int zeros(double a, double b, double c) {
         return (a == 0 ? 1 : 0) + (b == 0 ? 1 : 0) + (c == 0 ? 1 : 0);
     }

@@ -192,7 +192,9 @@ public record Block(
             middleX = middle.x();
             middleY = middle.y();
             middleZ = middle.z();
-            radius = farthest * (1 + 1e-9) + 1e-11 * (Math.abs(middleX) + Math.abs(middleY) + Math.abs(middleZ));
+            double size = farthest + Math.abs(middleX) + Math.abs(middleY) + Math.abs(middleZ);
+            // On the way into the block's space and back errors of rounding grow as the map is sheared: by its condition.
+            radius = farthest * (1 + 1e-9) + size * Math.max(1e-11, 1e-14 * toWorld.norm() * toLocal.norm());
         }
 
         /** Whether the ray passes by at a distance, or leads away: most do, and are told by a tenth of the reckoning. */

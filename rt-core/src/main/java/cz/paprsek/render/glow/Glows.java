@@ -84,14 +84,27 @@ public class Glows {
         }
     }
 
-    /** Whether a light, other than the one that is looked for, stands between the ray's start and its end: the number of the first found, or {@link #NONE}. */
-    public int occluder(Ray ray, int lamp) {
+    /** Whether a light, other than the one that is looked for, stands between the ray's start and its end. */
+    public boolean occludes(Ray ray, int lamp) {
         for (Glow glow : bodies) {
             if (glow.lamp != lamp && glow.surface.occludes(ray)) {
-                return glow.lamp;
+                return true;
             }
         }
-        return NONE;
+        return false;
+    }
+
+    /** The number of the nearest light, other than the one that is looked for, between the ray's start and its end, or {@link #NONE}; not for the hot path. */
+    public int nearestOccluder(Ray ray, int lamp) {
+        int nearest = NONE;
+        double least = Double.POSITIVE_INFINITY;
+        for (Glow glow : bodies) {
+            if (glow.lamp != lamp && glow.surface.occludes(ray) && distance(ray, glow.lamp) < least) {
+                nearest = glow.lamp;
+                least = distance(ray, nearest);
+            }
+        }
+        return nearest;
     }
 
     /** How far along a ray it first meets a light's body; not for the hot path. */

@@ -21,16 +21,15 @@ final class ManyGlows extends Glows {
     }
 
     @Override
-    public int occluder(Ray ray, int lamp) {
+    public boolean occludes(Ray ray, int lamp) {
         finder.lamp = lamp;
-        return tree.any(finder, ray, tree.whole()) ? finder.found : NONE;
+        return tree.any(finder, ray, tree.whole());
     }
 
     private static final class Finder extends Search<Ray> {
         private final Glow[] ordered;
         private final int firstPart;
         private int lamp;
-        private int found;
         private double back;
 
         Finder(Glow[] ordered, int firstPart) {
@@ -58,7 +57,6 @@ final class ManyGlows extends Glows {
         protected boolean stopsAt(Ray ray, int first, int end) {
             for (int i = first; i < end; i++) {
                 if (ordered[i].lamp != lamp && ordered[i].surface.occludes(ray)) {
-                    found = ordered[i].lamp;
                     return true;
                 }
             }

@@ -308,7 +308,7 @@ final class Lighting {
         isBeyond = true;
         double share = share(depth * lamps.length + light, anywhere);
         isBeyond = false;
-        return share > 0 && glows.occluder(shadow, light) != Glows.NONE ? 0 : share;
+        return share > 0 && glows.occludes(shadow, light) ? 0 : share;
     }
 
     private double visibility(int depth, int light, Level level) {
@@ -324,7 +324,7 @@ final class Lighting {
         backFrom(level, shadow);
         around = level.media;
         double share = share(depth * lamps.length + light, among);
-        return share > 0 && glows.occluder(shadow, light) != Glows.NONE ? 0 : share;
+        return share > 0 && glows.occludes(shadow, light) ? 0 : share;
     }
 
     /** Nothing that touches a surface lies on the side it was seen from, unless the ray that came has met it just before, in the same place. */

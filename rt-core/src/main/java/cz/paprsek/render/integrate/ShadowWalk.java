@@ -61,7 +61,7 @@ public final class ShadowWalk {
     /** The surfaces in the way to a light, the nearest first, up to the first that lets no light through. */
     public List<Obstacle> obstacles(Start start, Vec3 direction, double distance, int lamp) {
         aim(start, direction, distance);
-        int blocking = scene.glows().occluder(ray, lamp);
+        int blocking = scene.glows().nearestOccluder(ray, lamp);
         double reach = blocking == Glows.NONE ? Double.POSITIVE_INFINITY : scene.glows().distance(ray, blocking);
         int[] inOrder = IntStream.range(0, spans.size())
                 .filter(i -> isMet(start, i))

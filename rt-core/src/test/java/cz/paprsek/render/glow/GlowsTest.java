@@ -53,12 +53,37 @@ class GlowsTest {
             assertThat(new double[] {found.max, found.part, found.face}).as("ray %d", i).isEqualTo(new double[] {expected.max, expected.part, expected.face});
             hits += expected.part >= 5 ? 1 : 0;
             int lamp = i % count;
-            boolean isBlocked = all.occluder(start(origin, direction, i), lamp) != Glows.NONE;
-            assertThat(one.occluder(start(origin, direction, i), lamp) != Glows.NONE).as("ray %d", i).isEqualTo(isBlocked);
+            boolean isBlocked = all.occludes(start(origin, direction, i), lamp);
+            assertThat(one.occludes(start(origin, direction, i), lamp)).as("ray %d", i).isEqualTo(isBlocked);
             blocked += isBlocked ? 1 : 0;
         }
         assertThat(hits).isGreaterThan(50);
         assertThat(blocked).isGreaterThan(50);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {3, 17, 200})
+    void whatIsInTheWayFirstIsNamed(int count) {
+        List<Light> lights = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            // One behind the other along x in an order that is neither that of the list nor the opposite.
+            lights.add(SphereLight.of(new Vec3(1 + (7 * i + 3) % count, 0, 0), 0.25));
+        }
+        Glows all = Glows.of(lights, 5);
+        for (int lamp = 0; lamp < count; lamp++) {
+            int expected = 0;
+            for (int i = 0; i < count; i++) {
+                if (i != lamp && (7 * i + 3) % count == ((7 * lamp + 3) % count == 0 ? 1 : 0)) {
+                    expected = i;
+                }
+            }
+            Ray ray = new Ray(new Spans());
+            ray.start(0, 0, 0, 1, 0, 0);
+            assertThat(all.forOneWorker().nearestOccluder(ray, lamp)).as("lamp %d", lamp).isEqualTo(expected);
+        }
+        Ray aside = new Ray(new Spans());
+        aside.start(0, 5, 0, 1, 0, 0);
+        assertThat(all.forOneWorker().nearestOccluder(aside, 0)).isEqualTo(Glows.NONE);
     }
 
     /** From the eye, from a surface, and with something hit before. */
