@@ -83,13 +83,13 @@ final class Editor implements Notices {
      */
     Editor(Stage stage, Path folder, Locale system, DialogMaker asking) {
         this.stage = stage;
-        this.settings = new Settings(folder, this::say);
+        this.settings = new Settings(folder, this::wrong);
         this.theme = new SimpleObjectProperty<>(settings.get("theme").filter("DARK"::equals).isPresent() ? Theme.DARK : Theme.LIGHT);
         this.texts = new SimpleObjectProperty<>(Texts.in(settings.get("language").map(Locale::forLanguageTag).orElse(system)));
         this.builtIn = new BuiltInWords(texts::get);
         this.dialogs = asking.make(stage, texts::get);
         Recovery recovery = new Recovery(folder);
-        this.autosave = new Autosave(document, manuscript, recovery, this::say);
+        this.autosave = new Autosave(document, manuscript, recovery, this::wrong);
         this.files = new FileActions(document, settings, recovery, autosave, dialogs, this, texts::get, this::showLibrary, manuscript);
         this.renders = new RenderWindow(this, dialogs, folder);
         this.library = new LibraryWindow(this, document, dialogs);
@@ -265,7 +265,7 @@ final class Editor implements Notices {
     /** A fault of the program: the scene is kept at once, and the user told. A picture that is missing or damaged is none, and told in a line. */
     void fault(Throwable fault) {
         if (fault instanceof UncheckedIOException unreadable) {
-            say(String.valueOf(unreadable.getMessage()));
+            wrong(String.valueOf(unreadable.getMessage()));
             return;
         }
         if (inFault) {
@@ -283,21 +283,28 @@ final class Editor implements Notices {
     @Override
     public void say(String sentence) {
         if (window != null) {
-            window.status().showMessage(texts().sentence(sentence));
+            window.status().showMessage(sentence);
+        }
+    }
+
+    @Override
+    public void wrong(String english) {
+        if (window != null) {
+            say(texts().sentence(english));
         }
     }
 
     /** Takes back what was said, if nothing else has been since. */
     void unsay(String sentence) {
         if (window != null) {
-            window.status().endMessage(texts().sentence(sentence));
+            window.status().endMessage(sentence);
         }
     }
 
     @Override
     public void ask(String sentence, List<MessageBar.Choice> choices) {
         if (window != null) {
-            window.messages().show(texts().sentence(sentence), choices);
+            window.messages().show(sentence, choices);
         }
     }
 

@@ -138,7 +138,7 @@ final class FileActions {
             forgetCopy();
             document.brought(read.scene(), assets);
             notices.quiet();
-            notices.say(String.join("; ", Stream.concat(Stream.of(texts.get().of("file.opened", name)), read.notes().stream()).toList()));
+            notices.say(String.join("; ", Stream.concat(Stream.of(texts.get().of("file.opened", name)), read.notes().stream().map(texts.get()::sentence)).toList()));
         }, fault -> failed(file, fault));
     }
 
@@ -157,7 +157,7 @@ final class FileActions {
         try {
             autosave.discard(before);
         } catch (IOException e) {
-            notices.say(Failures.sentence(e));
+            notices.wrong(Failures.sentence(e));
         }
     }
 
@@ -203,7 +203,7 @@ final class FileActions {
         } else if (fault instanceof LessonException wrong) {
             notices.problems(texts.get().of("lesson.problems", file.getFileName(), wrong.problems().size()), wrong.problems());
         } else if (fault instanceof IOException unreadable) {
-            notices.say(Failures.sentence(file.toString(), unreadable));
+            notices.wrong(Failures.sentence(file.toString(), unreadable));
         } else {
             notices.say("");
             dialogs.fault(fault, this::saveAs);
@@ -237,7 +237,7 @@ final class FileActions {
         try {
             Recovery.delete(copy);
         } catch (IOException e) {
-            notices.say(Failures.sentence(copy.toString(), e));
+            notices.wrong(Failures.sentence(copy.toString(), e));
         }
     }
 
@@ -258,7 +258,7 @@ final class FileActions {
                 return false;
             }
         } catch (IOException unreadable) {
-            notices.say(Failures.sentence(chosen.get().toString(), unreadable));
+            notices.wrong(Failures.sentence(chosen.get().toString(), unreadable));
             return false;
         }
         return save(SceneSource.file(chosen.get()));
@@ -289,7 +289,7 @@ final class FileActions {
                 choices.add(new MessageBar.Choice("disk-keep", texts.get().of("file.keep"), () -> Background.run("paprsek-reload", source::read,
                         document::noticeDisk, fault -> failed(source.file(), fault))));
             }
-            notices.ask(texts.get().of("file.not-saved", source.title(), Failures.sentence(e)), choices);
+            notices.ask(texts.get().of("file.not-saved", source.title(), texts.get().sentence(Failures.sentence(e))), choices);
             return false;
         }
         settings.addRecent(source.file());
@@ -355,7 +355,7 @@ final class FileActions {
         try {
             autosave.discard(document.sourceProperty().get());
         } catch (IOException e) {
-            notices.say(Failures.sentence(e));
+            notices.wrong(Failures.sentence(e));
         }
     }
 

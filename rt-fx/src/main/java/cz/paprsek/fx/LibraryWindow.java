@@ -69,7 +69,7 @@ final class LibraryWindow implements Desk {
         }
         if (library.file().isEmpty()) {
             editor.document().sourceProperty().get().filter(source -> source.inDatabase().isPresent()).map(SceneSource::file)
-                    .or(this::remembered).ifPresent(file -> store.open(file, editor::say));
+                    .or(this::remembered).ifPresent(file -> store.open(file, editor::wrong));
         }
         open.show();
         open.toFront();
@@ -103,7 +103,7 @@ final class LibraryWindow implements Desk {
     boolean mayLeave() {
         while (!store.flush()) {
             String title = library.path().map(Path::toString).orElse("");
-            switch (dialogs.aboutUnsaved(title + ": " + store.refusalProperty().get())) {
+            switch (dialogs.aboutUnsaved(title + ": " + editor.texts().sentence(store.refusalProperty().get()))) {
                 case SAVE -> store.retry();
                 case DISCARD -> {
                     return true;

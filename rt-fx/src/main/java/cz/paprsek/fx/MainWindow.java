@@ -90,7 +90,7 @@ final class MainWindow {
         warned = model.state();
         Texts texts = editor.texts();
         Edits edits = new Edits(model, texts);
-        edits.refusalProperty().addListener((property, old, now) -> status.showMessage(texts.sentence(now)));
+        edits.refusalProperty().addListener((property, old, now) -> status.showMessage(now));
         SelectionCommands commands = new SelectionCommands(edits);
         views = new Views(editor, commands);
         messages = new MessageBar(texts.of("window.close-message"));

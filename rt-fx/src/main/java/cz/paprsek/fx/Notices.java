@@ -6,10 +6,13 @@ import java.util.List;
 
 /** Tells the user something without stopping anything. */
 interface Notices {
-    /** Says a sentence in the status bar. */
+    /** Says a sentence in the status bar, as it is: in the language of the window. */
     void say(String sentence);
 
-    /** Says a sentence at the top of the window, with answers to choose from. */
+    /** Says in the status bar, in the language of the window, what the library or the model has said in English of something that is wrong. */
+    void wrong(String english);
+
+    /** Says a sentence at the top of the window, as it is, with answers to choose from. */
     void ask(String sentence, List<MessageBar.Choice> choices);
 
     /** Lists what is wrong with a file. */

@@ -49,7 +49,7 @@ final class RenderWindow {
         this.editor = editor;
         this.dialogs = dialogs;
         this.unfinished = new UnfinishedPictures(folder.resolve("pictures"), () -> editor.document().sourceProperty().get().map(SceneSource::file),
-                fault -> Platform.runLater(() -> editor.say(fault)));
+                fault -> Platform.runLater(() -> editor.wrong(fault)));
         // What is looked into, by which light and where, is a matter of the moment.
         this.desk = new RenderDesk(Remembered.kept(editor.settings().get(SAID), text -> editor.settings().set(SAID, text), Set.of("mode", "lights", "region")), unfinished);
         this.framing = Bindings.createObjectBinding(() -> desk.framing(editor.model().scene().settings()), editor.model().stateProperty(), desk.saidProperty());
@@ -120,7 +120,7 @@ final class RenderWindow {
     }
 
     private void tell(Throwable fault) {
-        editor.say(Failures.sentence(fault));
+        editor.wrong(Failures.sentence(fault));
     }
 
     /** What has become of the last render, in words. */

@@ -51,9 +51,9 @@ record SceneMeshes(Document document, Dialogs dialogs, Notices notices, Texts te
             Vec3 size = new Vec3(sight.size(), sight.size() / 4, sight.size());
             Assets assets = document.model().assets();
             Background.run("paprsek-heights", () -> HeightField.of(known.get(), size).read(MeshFiles.heights(known.get(), assets)), field -> edits.add(field, sight),
-                    fault -> notices.say(fault instanceof Exception unreadable ? Failures.sentence(unreadable) : String.valueOf(fault)));
+                    fault -> notices.wrong(fault instanceof Exception unreadable ? Failures.sentence(unreadable) : String.valueOf(fault)));
         } catch (IOException unreadable) {
-            notices.say(Failures.sentence(unreadable));
+            notices.wrong(Failures.sentence(unreadable));
         }
     }
 
@@ -87,7 +87,7 @@ record SceneMeshes(Document document, Dialogs dialogs, Notices notices, Texts te
                 try {
                     name(file).ifPresentOrElse(names::add, () -> brought.faults.add(texts.of("mesh.unsaved")));
                 } catch (IOException unreadable) {
-                    brought.faults.add(Failures.sentence(unreadable));
+                    brought.faults.add(texts.sentence(Failures.sentence(unreadable)));
                 }
             } else {
                 brought.faults.add(texts.of("mesh.other", file.getFileName(), ForeignFormat.meshes()));
@@ -102,15 +102,15 @@ record SceneMeshes(Document document, Dialogs dialogs, Notices notices, Texts te
         Background.run("paprsek-mesh", () -> read(names, assets, brought), all -> {
             notices.say(String.join("; ", all.faults));
             all.meshes.forEach(object -> edits.add(seen(object, sight), sight));
-        }, fault -> notices.say(fault instanceof Exception known ? Failures.sentence(known) : String.valueOf(fault)));
+        }, fault -> notices.wrong(fault instanceof Exception known ? Failures.sentence(known) : String.valueOf(fault)));
     }
 
-    private static Brought read(List<String> names, Assets assets, Brought into) {
+    private Brought read(List<String> names, Assets assets, Brought into) {
         for (String name : names) {
             try {
                 into.meshes.add(brought(name, ForeignFormat.ofName(name).orElseThrow(), assets).scene().objects().get(0));
             } catch (IOException unreadable) {
-                into.faults.add(Failures.sentence(unreadable));
+                into.faults.add(texts.sentence(Failures.sentence(unreadable)));
             }
         }
         return into;

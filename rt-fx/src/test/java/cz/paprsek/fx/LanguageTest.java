@@ -62,6 +62,23 @@ class LanguageTest {
         }
     }
 
+    /** Some names are words or sentences of the library: these are what the user wrote, and stay. */
+    @Test
+    void namesInMessagesAreNotTranslated() {
+        try (EditorGui editor = new EditorGui(folder, Templates.read("test"))) {
+            editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
+            for (String name : List.of("red box", "A must be B, but C", "union")) {
+                String said = Texts.in(Locale.forLanguageTag("cs")).of("view.focus-done", name);
+                editor.gui.act(() -> editor.editor.say(said));
+                assertThat(Gui.on(editor::status)).isEqualTo(said).endsWith(name);
+                editor.gui.act(() -> editor.editor.ask(said, List.of()));
+                assertThat(Gui.on(() -> all(editor.gui.stage().getScene().getRoot()).filter(Labeled.class::isInstance).map(node -> ((Labeled) node).getText()).toList())).contains(said);
+            }
+            editor.gui.act(() -> editor.editor.wrong("there is no material named \"gols\""));
+            assertThat(Gui.on(editor::status)).isEqualTo("není tu materiál se jménem \"gols\"");
+        }
+    }
+
     private static PresenterPane presenter(Stage window) {
         return (PresenterPane) window.getScene().getRoot();
     }

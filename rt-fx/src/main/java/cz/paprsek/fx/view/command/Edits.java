@@ -237,7 +237,7 @@ public final class Edits {
             refusal.set("");
             return true;
         } catch (IllegalArgumentException nothing) {
-            refusal.set(String.valueOf(nothing.getMessage()));
+            refusal.set(texts.sentence(String.valueOf(nothing.getMessage())));
             return false;
         }
     }
@@ -392,7 +392,7 @@ public final class Edits {
             refusal.set("");
             return true;
         } catch (IllegalArgumentException refused) {
-            refusal.set(String.valueOf(refused.getMessage()));
+            refusal.set(texts.sentence(String.valueOf(refused.getMessage())));
             return false;
         }
     }

@@ -38,11 +38,11 @@ final class LibraryActions {
     }
 
     void open(Window owner) {
-        files.toOpen(owner).ifPresent(path -> store.open(path, messages::say));
+        files.toOpen(owner).ifPresent(path -> store.open(path, messages::wrong));
     }
 
     void create(Window owner) {
-        files.toCreate(owner).ifPresent(path -> store.create(path, messages::say));
+        files.toCreate(owner).ifPresent(path -> store.create(path, messages::wrong));
     }
 
     void keep() {

@@ -52,7 +52,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
     private final LibraryFiles files;
     private final Thumbnails thumbnails;
     private final ExecutorService searcher = Worker.named("library-search");
-    private final LibraryMessages messages = new LibraryMessages();
+    private final LibraryMessages messages;
     private final SceneSelection selection = new SceneSelection();
     private final LibraryActions actions;
     private final LibraryRows<Scene> scenes;
@@ -72,6 +72,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
         thumbnails = new Thumbnails(() -> library.path().map(Assets::beside).orElseGet(Assets::none));
         this.store = store;
         this.texts = texts;
+        messages = new LibraryMessages(texts);
         this.files = files;
         actions = new LibraryActions(library, store, selection, desk, texts, files, messages);
         scenes = new LibraryRows<>(library, SceneTables.scenes(), searcher, Platform::runLater);
@@ -151,7 +152,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
         sentence.setId("library-refusal");
         sentence.setWrapText(true);
         sentence.setMaxWidth(Double.MAX_VALUE);
-        sentence.textProperty().bind(store.refusalProperty());
+        sentence.textProperty().bind(store.refusalProperty().map(texts::sentence));
         HBox.setHgrow(sentence, Priority.ALWAYS);
         HBox bar = new HBox(sentence, LibraryActions.button(texts, "library.reload", store::reload));
         bar.getStyleClass().add("refusal-bar");
@@ -203,7 +204,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
         Label message = new Label();
         message.setId("library-message");
         message.setMaxWidth(Double.MAX_VALUE);
-        message.textProperty().bind(messages.textProperty().map(texts::sentence));
+        message.textProperty().bind(messages.textProperty());
         HBox.setHgrow(message, Priority.ALWAYS);
         count.setId("library-count");
         count.setMinWidth(USE_PREF_SIZE);
@@ -288,7 +289,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
             AtomicFile.write(path, out -> write(out, lines.iterator()));
             return texts.of("library.saved", path);
         } catch (IOException e) {
-            return Failures.sentence(path.toString(), e);
+            return texts.sentence(Failures.sentence(path.toString(), e));
         }
     }
 
