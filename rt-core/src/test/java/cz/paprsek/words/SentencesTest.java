@@ -46,6 +46,18 @@ class SentencesTest {
             frame 41: sphere radius must be a finite number above 0, but is -0.6       | snímek 41: koule, poloměr: má být konečné číslo větší než 0, ale je -0.6
             "pictures/oak.png": there is no such file beside the scene                 | "pictures/oak.png": vedle scény takový soubor není
             /home/eva/picture.properties: is damaged                                   | /home/eva/picture.properties: je poškozen
+            a rectangle has no inside, so <difference> cannot use it; give it a <block> | obdélník nemá vnitřek, a tak ho <difference> nemůže použít; dejte mu <block>
+            <scene> must hold elements of the namespace urn:paprsek:scene:1 only, but here is <foo> of "u" | <scene> má obsahovat jen prvky jmenného prostoru urn:paprsek:scene:1, ale tady je <foo> z "u"
+            "short.ttf": the table of contents ends at byte 4 of the font, but should go on to byte 6 | "short.ttf": obsah písma končí u bajtu 4, ale má jít až k bajtu 6
+            "m.gltf": byte 26: here must be "}", but is the end                        | "m.gltf": bajt 26: tady má být "}", ale je konec
+            "m.ply": line 2: the format must be ascii, binary_little_endian or binary_big_endian, but is "foo" | "m.ply": řádek 2: formát má být ascii, binary_little_endian nebo binary_big_endian, ale je "foo"
+            "a.png": a picture of 9 × 9 pixels does not fit into a file of 12 bytes: it is cut off or damaged | "a.png": obrázek 9 × 9 bodů se nevejde do souboru o 12 bajtech: je useknutý nebo poškozený
+            what a list holds does not fit into a file of 12 bytes: it is cut off or damaged | what a list holds does not fit into a file of 12 bytes: it is cut off or damaged
+            gizmo must be round, but is 3.0                                            | gizmo must be round, but is 3.0
+            sphere radius must be rounder than this, but is 3.0                        | sphere radius must be rounder than this, but is 3.0
+            <sphere> must hold what nobody has translated                              | <sphere> must hold what nobody has translated
+            box of eva: is damaged                                                     | box of eva: is damaged
+            /home/the eva/box of eva.xml: is damaged                                   | /home/the eva/box of eva.xml: je poškozen
             a sentence that nobody has translated                                      | a sentence that nobody has translated
             """)
     void aSentenceIsSaidInCzech(String english, String czech) {
