@@ -29,6 +29,8 @@ public final class Dropping {
     /** How high and how wide what is added may be, in parts of its size. */
     private static final double TALLEST = 1.2;
     private static final double WIDEST = 1.5;
+    /** As far a grid on a hollow may be beneath it, in parts of the size. */
+    private static final double HOLLOW = 1.0 / 16;
     /** How many sizes are tried, each half of the one before or a little less. */
     private static final int SIZES = 7;
 
@@ -116,8 +118,9 @@ public final class Dropping {
             return sight;
         }
         Headroom room = new Headroom(state);
+        Vec3 ground = room.grounded(sight.point(), sight.size() * HOLLOW);
         Sight fit = sight;
-        for (int step = 0; step < SIZES && !room.fits(fit.point(), fit.size() * WIDEST, fit.size() * TALLEST, fit.size()); step++) {
+        for (int step = 0; step < SIZES && !room.fits(ground, fit.size() * WIDEST, fit.size() * TALLEST, fit.size()); step++) {
             fit = fit.smaller();
         }
         return fit;

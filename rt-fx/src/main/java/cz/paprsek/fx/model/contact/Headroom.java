@@ -106,6 +106,29 @@ final class Headroom {
     }
 
     /**
+     * The point on the surface that is nearest to a point above or below it: what keeps to a grid on a hollow is beneath it. The point itself if there is none near.
+     *
+     * @param reach how far above or below, scene units
+     */
+    Vec3 grounded(Vec3 at, double reach) {
+        double nearest = reach;
+        Vec3 found = at;
+        Vec3 start = at.minus(Vec3.Y.times(reach));
+        for (Surface surface : surfaces) {
+            Bounds box = surface.bounds();
+            if (box.minX() <= at.x() && box.maxX() >= at.x() && box.minZ() <= at.z() && box.maxZ() >= at.z() && box.minY() <= at.y() + reach && box.maxY() >= at.y() - reach) {
+                for (double far : met(surface, start, Vec3.Y)) {
+                    if (Math.abs(far - reach) < nearest) {
+                        nearest = Math.abs(far - reach);
+                        found = start.plus(Vec3.Y.times(far));
+                    }
+                }
+            }
+        }
+        return found;
+    }
+
+    /**
      * Whether something can stand on a point, below what is above it, also when something beside it on the same floor lifts it.
      *
      * @param width how wide and how deep it is about the point, scene units

@@ -61,6 +61,7 @@ class HeadroomTest {
         assertThat(size("<plane/>", 0, 0, 0)).as("on a floor without an end").isEqualTo(5);
         assertThat(size(ROOM, 0, 2.1, 0)).as("on the roof, of which it is asked").isEqualTo(5);
         assertThat(size("<union><block min=\"-2 0 -2\" max=\"2 1 2\"/><block min=\"2 0 -2\" max=\"4 3 2\"/></union>", 0, 1, 0)).as("beside a step").isEqualTo(5);
+        assertThat(size("<rectangle min=\"-8 -8\" max=\"8 8\" position=\"0 0.02 0\" rotation=\"-90 0 0\"/>", 0, 0, 0)).as("a little beneath a floor without an inside").isEqualTo(5);
     }
 
     /** However high the floor is. */
