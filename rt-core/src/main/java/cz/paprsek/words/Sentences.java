@@ -30,7 +30,7 @@ final class Sentences {
     private static final Pattern THING = Pattern.compile("[a-z][a-z-]*( [a-z][a-z-]*){0,2}");
 
     /** What is the same in every language: what is quoted, elements, and files with their folders. */
-    private static final Pattern NAMED = Pattern.compile("\"[^\"]*\"|</?[^<>]*>|(^|(?<=\\s))(\\S*[/\\\\].*|.*\\.\\p{Alnum}{1,8})$");
+    private static final Pattern NAMED = Pattern.compile("\"[^\"]*\"|</?[^<>]*>|^(?=[^,;\"]*$)(\\S*[/\\\\]\\S.*|.*\\.\\p{Alpha}\\p{Alnum}{0,7})$");
     /** What English sentences are made of. */
     private static final Pattern GRAMMAR = Pattern.compile("\\b(the|is|must|but|has|of|not|there|are|be|which|than|or|and|it|with|for|this|its|from|needs|that|here|line|byte)\\b");
     private static final Pattern PLAIN_WORD = Pattern.compile("(?<!\\S)[(]?\\p{Ll}{2,}[,;:.)]*(?!\\S)");

@@ -48,6 +48,10 @@ class SentencesTest {
             /home/eva/picture.properties: is damaged                                   | /home/eva/picture.properties: je poškozen
             a rectangle has no inside, so <difference> cannot use it; give it a <block> | obdélník nemá vnitřek, a tak ho <difference> nemůže použít; dejte mu <block>
             <scene> must hold elements of the namespace urn:paprsek:scene:1 only, but here is <foo> of "u" | <scene> má obsahovat jen prvky jmenného prostoru urn:paprsek:scene:1, ale tady je <foo> z "u"
+            this is text in UTF-16, but the file claims to be US-ASCII; save it as UTF-8 | toto je text v UTF-16, ale soubor o sobě uvádí US-ASCII; uložte ho v UTF-8
+            this is not a scene file: it should start with <scene xmlns="urn:paprsek:scene:1"> | toto není soubor scény: měl by začínat <scene xmlns="urn:paprsek:scene:1">
+            at byte 8, in the table loca, places of more than 3 glyphs must stand, but 2 was found | u bajtu 8, v tabulce loca, má stát místa více než 3 glyfů, ale je tu 2
+            a whole number from 1 to 16, of paths to 1000000, or two such as 2..8 | celé číslo od 1 do 16, u cest do 1000000, nebo dvě jako 2..8
             "short.ttf": the table of contents ends at byte 4 of the font, but should go on to byte 6 | "short.ttf": obsah písma končí u bajtu 4, ale má jít až k bajtu 6
             "m.gltf": byte 26: here must be "}", but is the end                        | "m.gltf": bajt 26: tady má být "}", ale je konec
             "m.ply": line 2: the format must be ascii, binary_little_endian or binary_big_endian, but is "foo" | "m.ply": řádek 2: formát má být ascii, binary_little_endian nebo binary_big_endian, ale je "foo"

@@ -125,8 +125,7 @@ public final class Complaints {
                     + element.substring(element.indexOf('}') + 1) + "> of " + (element.startsWith("{}") ? "none" : "\"" + namespace(element) + "\"");
         }
         if (SURFACES.contains(element) && OPERATIONS.contains(parent)) {
-            return "a " + element + " has no inside, so <" + parent + "> cannot use it; give it "
-                    + (element.equals("disc") ? "a <cylinder>" : "a <block>");
+            return "a " + element + " has no inside, so <" + parent + "> cannot use it; give it a <" + (element.equals("disc") ? "cylinder" : "block") + ">";
         }
         Map<String, String> allowed = grammar.children(grammar.type(path.subList(0, path.size() - 1)));
         if (allowed.containsKey(element)) {
