@@ -60,6 +60,12 @@ class LiveCrossCheckTest {
         compare(CrossCheckScenes.random(seed));
     }
 
+    /** Five sixths of it are one background, whose colour lies almost half way between two steps: 0.42 of one on the average. */
+    @Test
+    void aPictureOfOneColourIsRoundedOneWay() throws Exception {
+        compare(CrossCheckScenes.random(165_615));
+    }
+
     private static Image theirs(PovRay povRay, Scene scene) throws Exception {
         boolean isBlurred = scene.camera().lens() instanceof Lens.Perspective lens && lens.aperture() > 0;
         return isBlurred ? Pinholes.mean(povRay, scene) : povRay.render(scene, 1).image();
@@ -70,7 +76,7 @@ class LiveCrossCheckTest {
         StoredImage theirs = new StoredImage(theirs(POVRAY.get(), scene), Precision.SIXTEEN_BIT, false);
         ImageComparison comparison = ImageComparison.of(StoredImage.of(Renderer.render(RenderScene.of(scene), RenderOptions.of(scene).withFixedSampler(), RenderMonitor.NONE).image()), theirs, STEPS);
         assertThat(comparison.shareBeyond()).as(comparison.toString()).isLessThanOrEqualTo(SHARE);
-        // Rounding alone is a quarter of a step on the average.
-        assertThat(comparison.beyond() > 0 || comparison.mean() < 0.4).as(comparison.toString()).isTrue();
+        // Rounding alone is at most half a step, and a quarter on the average unless a picture is of few colours.
+        assertThat(comparison.beyond() > 0 || comparison.mean() < 0.4 || comparison.largest() <= 0.5).as(comparison.toString()).isTrue();
     }
 }
