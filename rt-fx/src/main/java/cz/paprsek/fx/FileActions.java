@@ -53,6 +53,8 @@ final class FileActions {
     private final Supplier<Texts> texts;
     private final Consumer<DatabaseFile> onDatabase;
     private final Manuscript manuscript;
+    /** How often a file was not written because others have changed it, each time with a question. */
+    private int refusals;
 
     /** @param onDatabase takes a database whose first scene was opened */
     FileActions(Document document, Settings settings, Recovery recovery, Autosave autosave, Dialogs dialogs, Notices notices, Supplier<Texts> texts,
@@ -285,6 +287,8 @@ final class FileActions {
             List<MessageBar.Choice> choices = new ArrayList<>();
             choices.add(new MessageBar.Choice("save-elsewhere", texts.get().of("file.save-elsewhere"), this::saveAs));
             if (e instanceof DatabaseConflictException && before.equals(Optional.of(source))) {
+                refusals++;
+                document.noticeDisk();
                 choices.add(new MessageBar.Choice("disk-reload", texts.get().of("file.reload"), this::reload));
                 choices.add(new MessageBar.Choice("disk-keep", texts.get().of("file.keep"), () -> Background.run("paprsek-reload", source::read,
                         document::noticeDisk, fault -> failed(source.file(), fault))));
@@ -302,14 +306,15 @@ final class FileActions {
     void checkDisk() {
         if (document.hasChangedOnDisk()) {
             document.noticeDisk();
+            int before = refusals;
             document.sourceProperty().get().ifPresent(source -> Background.run("paprsek-reload", source::read,
-                    this::changedOnDisk, fault -> failed(source.file(), fault)));
+                    read -> changedOnDisk(read, before), fault -> failed(source.file(), fault)));
         }
     }
 
-    /** In a database, only other scenes may have changed. */
-    private void changedOnDisk(SceneSource.Kept read) {
-        if (document.knows(read) || !document.sourceProperty().get().equals(Optional.of(read.source()))) {
+    /** In a database, only other scenes may have changed. If a save has been refused since it was looked at, that has been asked about. */
+    private void changedOnDisk(SceneSource.Kept read, int refusalsBefore) {
+        if (refusals != refusalsBefore || document.knows(read) || !document.sourceProperty().get().equals(Optional.of(read.source()))) {
             return;
         }
         if (document.model().unsavedProperty().get()) {
