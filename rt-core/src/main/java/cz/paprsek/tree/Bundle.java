@@ -24,7 +24,7 @@ public final class Bundle {
     private double highX;
     private double highY;
     private double highZ;
-    /** The reciprocals of these, or 0 if they are small. */
+    /** By what the distance of a plane is multiplied for the t at which it is reached: the reciprocals of these, if they have any worth having. */
     private double overLowX;
     private double overLowY;
     private double overLowZ;
@@ -32,8 +32,6 @@ public final class Bundle {
     private double overHighY;
     private double overHighZ;
     private double end;
-    private double near;
-    private double far;
 
     /** Starts an empty bundle from a point; its lines have no end. */
     public void start(double x, double y, double z) {
@@ -103,20 +101,21 @@ public final class Bundle {
 
     /** A length that no d is shorter than; a little below the exact one, so that rounding does not matter. To be called before boxes are asked about. */
     double shortest() {
-        overLowX = reciprocal(lowX);
-        overLowY = reciprocal(lowY);
-        overLowZ = reciprocal(lowZ);
-        overHighX = reciprocal(highX);
-        overHighY = reciprocal(highY);
-        overHighZ = reciprocal(highZ);
+        overLowX = -over(-lowX);
+        overLowY = -over(-lowY);
+        overLowZ = -over(-lowZ);
+        overHighX = over(highX);
+        overHighY = over(highY);
+        overHighZ = over(highZ);
         double x = Math.max(0, Math.max(lowX, -highX));
         double y = Math.max(0, Math.max(lowY, -highY));
         double z = Math.max(0, Math.max(lowZ, -highZ));
         return (1 - 1e-12) * Math.sqrt(x * x + y * y + z * z);
     }
 
-    private static double reciprocal(double d) {
-        return Math.abs(d) > SMALL ? 1 / d : 0;
+    /** Of the most that lines go one way for each t; of next to nothing what says that it is reached at any time, and of nothing, at none. */
+    private static double over(double d) {
+        return Math.abs(d) > SMALL ? 1 / d : d > 0 ? Double.MIN_NORMAL : Double.MAX_VALUE;
     }
 
     /** A t before which no line meets the box whose six numbers start at b; infinite if none does at all. */
@@ -124,29 +123,44 @@ public final class Bundle {
         return enter(boxes[b], boxes[b + 1], boxes[b + 2], boxes[b + 3], boxes[b + 4], boxes[b + 5]);
     }
 
+    /** Of each axis, [near, far] is narrowed to the t at which some d in [low, high] has p ≤ t·d ≤ q. Which way lines go is the same for all boxes, and so foretold. */
     double enter(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
-        near = 0;
-        far = end;
-        clip(minX - toX, maxX - fromX, lowX, highX, overLowX, overHighX);
-        clip(minY - toY, maxY - fromY, lowY, highY, overLowY, overHighY);
-        clip(minZ - toZ, maxZ - fromZ, lowZ, highZ, overLowZ, overHighZ);
+        double near = 0;
+        double far = end;
+        double p = minX - toX;
+        double q = maxX - fromX;
+        if (lowX > SMALL) {
+            near = Math.max(near, p * overHighX);
+            far = Math.min(far, q * overLowX);
+        } else if (highX < -SMALL) {
+            near = Math.max(near, q * overLowX);
+            far = Math.min(far, p * overHighX);
+        } else {
+            near = Math.max(near, Math.max(p * overHighX, q * overLowX));
+        }
+        p = minY - toY;
+        q = maxY - fromY;
+        if (lowY > SMALL) {
+            near = Math.max(near, p * overHighY);
+            far = Math.min(far, q * overLowY);
+        } else if (highY < -SMALL) {
+            near = Math.max(near, q * overLowY);
+            far = Math.min(far, p * overHighY);
+        } else {
+            near = Math.max(near, Math.max(p * overHighY, q * overLowY));
+        }
+        p = minZ - toZ;
+        q = maxZ - fromZ;
+        if (lowZ > SMALL) {
+            near = Math.max(near, p * overHighZ);
+            far = Math.min(far, q * overLowZ);
+        } else if (highZ < -SMALL) {
+            near = Math.max(near, q * overLowZ);
+            far = Math.min(far, p * overHighZ);
+        } else {
+            near = Math.max(near, Math.max(p * overHighZ, q * overLowZ));
+        }
         double soon = near * (1 - ROUNDING);
         return soon <= far * (1 + ROUNDING) ? soon : Double.POSITIVE_INFINITY;
-    }
-
-    /** Narrows [near, far] to the t at which some d in [low, high] has p ≤ t·d ≤ q; t is not negative. */
-    private void clip(double p, double q, double low, double high, double overLow, double overHigh) {
-        if (p > 0) {
-            far = high > 0 ? far : -1;
-            near = Math.max(near, p * overHigh);
-        } else if (q < 0) {
-            far = low < 0 ? far : -1;
-            near = Math.max(near, q * overLow);
-        }
-        if (low > SMALL) {
-            far = Math.min(far, q * overLow);
-        } else if (high < -SMALL) {
-            far = Math.min(far, p * overHigh);
-        }
     }
 }

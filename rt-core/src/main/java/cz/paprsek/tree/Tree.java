@@ -51,6 +51,7 @@ public abstract class Tree {
         Bundle still = new Bundle();
         still.start(box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ());
         still.add(0, 0, 0);
+        still.end(1);
         Entries entries = new Entries(256);
         enter(still, entries);
         for (int i = 0; i < entries.size; i++) {

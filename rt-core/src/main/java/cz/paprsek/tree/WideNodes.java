@@ -161,7 +161,8 @@ final class WideNodes {
 
     /** The nearest inner node of the entries is opened again and again until all are leaves, or there would be too many. */
     void open(Bundle bundle, Entries entries) {
-        double unit = bundle.shortest();
+        double shortest = bundle.shortest();
+        double unit = 1 / scale;
         int i = 0;
         while (i < entries.size) {
             int node = entries.node[i];
@@ -172,19 +173,19 @@ final class WideNodes {
             entries.remove(i);
             for (int slot = 0; slot < width && name(node, slot) != 0; slot++) {
                 int subtree = name(node, slot);
-                double near = enter(bundle, node + slot);
+                double near = enter(bundle, node + slot, unit);
                 if (near < Double.POSITIVE_INFINITY) {
-                    entries.add(subtree, Tree.isQuick(subtree) ? Entries.ANYWHERE : node + slot, near * unit);
+                    entries.add(subtree, Tree.isQuick(subtree) ? Entries.ANYWHERE : node + slot, near * shortest);
                 }
             }
         }
     }
 
-    /** As {@link Bundle#enter}, of the child whose box begins at {@code at}. */
-    private double enter(Bundle bundle, int at) {
+    /** As {@link Bundle#enter}, of the child whose box begins at {@code at}; {@code unit} is 1 over the scale, a power of two. */
+    private double enter(Bundle bundle, int at, double unit) {
         return bundle.enter(
-                data[at] / scale + centreX, data[at + width] / scale + centreY, data[at + 2 * width] / scale + centreZ,
-                data[at + 3 * width] / scale + centreX, data[at + 4 * width] / scale + centreY, data[at + 5 * width] / scale + centreZ);
+                data[at] * unit + centreX, data[at + width] * unit + centreY, data[at + 2 * width] * unit + centreZ,
+                data[at + 3 * width] * unit + centreX, data[at + 4 * width] * unit + centreY, data[at + 5 * width] * unit + centreZ);
     }
 
     private static float below(double x) {

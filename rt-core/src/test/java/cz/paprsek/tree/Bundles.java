@@ -8,11 +8,12 @@ public final class Bundles {
 
     /** Whether a line of the bundle may meet a box. */
     public static boolean mayMeet(Bundle bundle, Bounds box) {
-        return bundle.enter(box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ()) < Double.POSITIVE_INFINITY;
+        return enters(bundle, box) < Double.POSITIVE_INFINITY;
     }
 
     /** A length before which no line of the bundle is in a box, directions being of length 1. */
     public static double enters(Bundle bundle, Bounds box) {
-        return bundle.enter(box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ()) * bundle.shortest();
+        double unit = bundle.shortest();
+        return bundle.enter(box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ()) * unit;
     }
 }

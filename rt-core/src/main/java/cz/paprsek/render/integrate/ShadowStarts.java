@@ -41,6 +41,10 @@ final class ShadowStarts {
     /** Finds out what can stand between each light and the hits of a block: to be called before these are lit, on level 0. */
     void prepare(Level[] block, int count) {
         gather(block, count);
+        if (smallest == Double.POSITIVE_INFINITY) {
+            prepareNothing();
+            return;
+        }
         for (int light = 0; light < lamps.length; light++) {
             if (lamps[light].bundle(hits, bundle)) {
                 // Not the last bit before a hit, which keeps the surfaces that were hit out: a shadow ray begins at TOUCH · size, and a tenth
