@@ -8,10 +8,10 @@ final class BinaryTree extends Tree {
     private final double[] boxes;
     private final int[] child;
 
-    BinaryTree(double[] boxes, int[] child, int root, int depth) {
-        super(root, depth);
-        this.boxes = boxes;
-        this.child = child;
+    BinaryTree(BinaryNodes nodes) {
+        super(nodes.root, nodes.depth);
+        this.boxes = nodes.boxes;
+        this.child = nodes.child;
     }
 
     /** The nearest inner node is opened again and again until all are leaves, or there would be too many. */

@@ -21,8 +21,7 @@ public abstract class Kernel {
 
     abstract String name();
 
-    /** Makes a tree from a binary one, given as {@link BinaryTree} has it; its root is inner node 0 unless it is a leaf. */
-    abstract Tree tree(double[] boxes, int[] child, int root, int depth);
+    abstract Tree tree(BinaryNodes nodes);
 
     /**
      * The one with vectors needs a module that is there only if Java was told so, and a compiler that makes machine code of vectors: else each
@@ -62,9 +61,8 @@ public abstract class Kernel {
         }
 
         @Override
-        Tree tree(double[] boxes, int[] child, int root, int depth) {
-            return child.length < 2 * FourTree.MANY ? new BinaryTree(boxes, child, root, depth)
-                    : new FourTree(new WideNodes(boxes, child, root, depth, FourTree.WIDTH));
+        Tree tree(BinaryNodes nodes) {
+            return nodes.count() < FourTree.MANY ? new BinaryTree(nodes) : new FourTree(new WideNodes(nodes, FourTree.WIDTH));
         }
     }
 }

@@ -80,7 +80,7 @@ public final class TreeBuilder {
     public Tree build() {
         int count = items.length;
         if (count == 0) {
-            return Kernel.suitedTo(0, 0).tree(new double[0], new int[0], 0, 0);
+            return Kernel.suitedTo(0, 0).tree(new BinaryNodes(new double[0], new int[0], 0, 0, place -> 0));
         }
         Subtree whole = new Subtree(count > FORK ? records() : new int[0], 0, count, 0, new int[0]);
         whole.invoke();
@@ -88,7 +88,7 @@ public final class TreeBuilder {
         int[] child = new int[2 * whole.count];
         int root = whole.write(0, nodes, child);
         double all = IntStream.of(items).mapToDouble(item -> cost[item]).sum();
-        return Kernel.suitedTo(count, all).tree(nodes, child, root, whole.depth);
+        return Kernel.suitedTo(count, all).tree(new BinaryNodes(nodes, child, root, whole.depth, place -> cost[items[place]]));
     }
 
     /** The records of all items. */

@@ -31,34 +31,26 @@ final class WideNodes {
     /** How much of it is taken. */
     private int size = FIRST;
 
-    /** The binary tree; let go of once all is made. */
-    private double[] boxes;
-    private int[] binary;
-
-    /** Makes it from a binary tree as {@link BinaryTree} has it. */
-    WideNodes(double[] boxes, int[] child, int root, int depth, int width) {
+    /** Makes it from a binary tree. */
+    WideNodes(BinaryNodes nodes, int width) {
         this.width = width;
         this.stride = EACH * width;
-        this.boxes = boxes;
-        this.binary = child;
-        if (depth > 0 && root < 0) {
+        if (nodes.depth > 0 && nodes.root < 0) {
             // Nothing is known of the box of the only leaf; whoever asks the tree is likely to meet it.
             int node = add();
-            fill(node, 0, root, Float.NEGATIVE_INFINITY, Float.POSITIVE_INFINITY);
+            fill(node, 0, nodes.root, Float.NEGATIVE_INFINITY, Float.POSITIVE_INFINITY);
             this.depth = 1;
-        } else if (depth > 0) {
-            locate();
-            // About so many it takes: a node of eight opens four or five of the binary ones.
-            reserve(1 + child.length / (width + 1));
-            widen(root, 1);
+        } else if (nodes.depth > 0) {
+            locate(nodes.boxes);
+            // About so many it takes: a node of eight opens six or seven of the binary ones.
+            reserve(1 + nodes.count() / (width - 2));
+            widen(nodes, new Collapse(nodes, width), nodes.root, 1);
         }
         data = Arrays.copyOf(data, size);
-        this.boxes = new double[0];
-        this.binary = new int[0];
     }
 
     /** Centres on the smaller child of the root: floats tell apart best what lies near zero, and the larger may be a wide floor. */
-    private void locate() {
+    private void locate(double[] boxes) {
         centreX = (boxes[6] + boxes[9]) / 2;
         centreY = (boxes[7] + boxes[10]) / 2;
         centreZ = (boxes[8] + boxes[11]) / 2;
@@ -69,46 +61,16 @@ final class WideNodes {
         scale = most > 0 ? Math.scalb(1.0, -Math.getExponent(most) - 1) : 1;
     }
 
-    private int widen(int root, int level) {
+    private int widen(BinaryNodes nodes, Collapse plan, int inner, int level) {
         depth = Math.max(depth, level + 1);
         int node = add();
-        // Where in boxes each child's box lies; half of that over three is where its name is.
-        int[] at = new int[width];
-        int count = 2;
-        at[0] = 12 * root;
-        at[1] = 12 * root + 6;
-        while (count < width) {
-            int largest = -1;
-            double most = Double.NEGATIVE_INFINITY;
-            for (int i = 0; i < count; i++) {
-                double area = binary[at[i] / 6] < 0 ? Double.NEGATIVE_INFINITY : halfArea(at[i]);
-                if (area > most) {
-                    most = area;
-                    largest = i;
-                }
-            }
-            if (largest < 0) {
-                break;
-            }
-            int opened = binary[at[largest] / 6];
-            at[largest] = 12 * opened;
-            at[count++] = 12 * opened + 6;
-        }
-        for (int slot = 0; slot < count; slot++) {
-            int name = binary[at[slot] / 6];
-            int named = name < 0 ? name : widen(name, level + 1);
-            name(node, slot, named);
-            put(node, slot, at[slot]);
+        int[] at = plan.children(inner);
+        for (int slot = 0; slot < at.length; slot++) {
+            int name = plan.name(at[slot]);
+            name(node, slot, name < 0 ? name : widen(nodes, plan, name, level + 1));
+            put(node, slot, nodes.boxes, at[slot]);
         }
         return node;
-    }
-
-    /** Half the surface of a box. */
-    private double halfArea(int b) {
-        double x = boxes[b + 3] - boxes[b];
-        double y = boxes[b + 4] - boxes[b + 1];
-        double z = boxes[b + 5] - boxes[b + 2];
-        return x * y + y * z + z * x;
     }
 
     private int add() {
@@ -143,8 +105,8 @@ final class WideNodes {
         return Float.floatToRawIntBits(data[node + 6 * width + slot]);
     }
 
-    /** Writes the box at {@code at} as that of a child. */
-    private void put(int node, int slot, int at) {
+    /** Writes the box that begins at {@code at} as that of a child. */
+    private void put(int node, int slot, double[] boxes, int at) {
         int to = node + slot;
         data[to] = below((boxes[at] - centreX) * scale);
         data[to + width] = below((boxes[at + 1] - centreY) * scale);

@@ -5,8 +5,8 @@ import jdk.incubator.vector.FloatVector;
 /** Trees of eight children a node, all asked about at once. Loaded by name, and only where the module {@code jdk.incubator.vector} is present. */
 final class WideKernel extends Kernel {
     @Override
-    Tree tree(double[] boxes, int[] child, int root, int depth) {
-        return new WideTree(new WideNodes(boxes, child, root, depth, WideNodes.WIDTH));
+    Tree tree(BinaryNodes nodes) {
+        return new WideTree(new WideNodes(nodes, WideNodes.WIDTH));
     }
 
     @Override
