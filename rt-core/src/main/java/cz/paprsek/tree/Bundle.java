@@ -123,44 +123,28 @@ public final class Bundle {
         return enter(boxes[b], boxes[b + 1], boxes[b + 2], boxes[b + 3], boxes[b + 4], boxes[b + 5]);
     }
 
-    /** Of each axis, [near, far] is narrowed to the t at which some d in [low, high] has p ≤ t·d ≤ q. Which way lines go is the same for all boxes, and so foretold. */
     double enter(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
-        double near = 0;
-        double far = end;
-        double p = minX - toX;
-        double q = maxX - fromX;
-        if (lowX > SMALL) {
-            near = Math.max(near, p * overHighX);
-            far = Math.min(far, q * overLowX);
-        } else if (highX < -SMALL) {
-            near = Math.max(near, q * overLowX);
-            far = Math.min(far, p * overHighX);
-        } else {
-            near = Math.max(near, Math.max(p * overHighX, q * overLowX));
-        }
-        p = minY - toY;
-        q = maxY - fromY;
-        if (lowY > SMALL) {
-            near = Math.max(near, p * overHighY);
-            far = Math.min(far, q * overLowY);
-        } else if (highY < -SMALL) {
-            near = Math.max(near, q * overLowY);
-            far = Math.min(far, p * overHighY);
-        } else {
-            near = Math.max(near, Math.max(p * overHighY, q * overLowY));
-        }
-        p = minZ - toZ;
-        q = maxZ - fromZ;
-        if (lowZ > SMALL) {
-            near = Math.max(near, p * overHighZ);
-            far = Math.min(far, q * overLowZ);
-        } else if (highZ < -SMALL) {
-            near = Math.max(near, q * overLowZ);
-            far = Math.min(far, p * overHighZ);
-        } else {
-            near = Math.max(near, Math.max(p * overHighZ, q * overLowZ));
-        }
+        double pX = minX - toX;
+        double qX = maxX - fromX;
+        double pY = minY - toY;
+        double qY = maxY - fromY;
+        double pZ = minZ - toZ;
+        double qZ = maxZ - fromZ;
+        double near = Math.max(Math.max(near(pX, qX, lowX, highX, overLowX, overHighX), near(pY, qY, lowY, highY, overLowY, overHighY)),
+                Math.max(near(pZ, qZ, lowZ, highZ, overLowZ, overHighZ), 0));
+        double far = Math.min(Math.min(far(pX, qX, lowX, highX, overLowX, overHighX), far(pY, qY, lowY, highY, overLowY, overHighY)),
+                Math.min(far(pZ, qZ, lowZ, highZ, overLowZ, overHighZ), end));
         double soon = near * (1 - ROUNDING);
         return soon <= far * (1 + ROUNDING) ? soon : Double.POSITIVE_INFINITY;
+    }
+
+    /** The least t that is not negative at which some d in [low, high] has p ≤ t·d ≤ q, or anything less. Which way lines go is the same for all boxes, and so foretold. */
+    private static double near(double p, double q, double low, double high, double overLow, double overHigh) {
+        return low > SMALL ? p * overHigh : high < -SMALL ? q * overLow : Math.max(p * overHigh, q * overLow);
+    }
+
+    /** The greatest such t; below 0 if there is none. */
+    private static double far(double p, double q, double low, double high, double overLow, double overHigh) {
+        return low > SMALL ? q * overLow : high < -SMALL ? p * overHigh : Double.POSITIVE_INFINITY;
     }
 }
