@@ -195,10 +195,8 @@ public class Paths extends BlockTracer {
 
     /** Chooses a direction above the surface, as often as its cosine is large. */
     private void diffuse(Level level) {
-        sampler.direction(level.path);
-        sampler.next();
-        double sine = Math.sqrt(sampler.u);
-        around(level.hit.sx, level.hit.sy, level.hit.sz, Math.sqrt(1 - sampler.u), sine, sampler.v);
+        sampler.strew(level.path);
+        around(level.hit.sx, level.hit.sy, level.hit.sz, sampler.x, sampler.y, sampler.z);
     }
 
     /** Chooses a direction around the mirrored one, as often as the highlight is bright there. */
@@ -206,17 +204,20 @@ public class Paths extends BlockTracer {
         sampler.direction(level.path);
         sampler.next();
         double cosine = StrictMath.pow(sampler.u, 1 / (finish.material.shininess() + 1));
-        around(level.mirrorX, level.mirrorY, level.mirrorZ, cosine, Math.sqrt(1 - cosine * cosine), sampler.v);
+        double sine = Math.sqrt(1 - cosine * cosine);
+        turn.by(sampler.v);
+        around(level.mirrorX, level.mirrorY, level.mirrorZ, sine * turn.cosine, sine * turn.sine, cosine);
     }
 
-    /** @source Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017 */
-    private void around(double x, double y, double z, double cosine, double sine, double share) {
+    /**
+     * Goes in a direction about another one, as it is about the z axis.
+     *
+     * @source Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017
+     */
+    private void around(double x, double y, double z, double p, double q, double cosine) {
         double sign = z < 0 ? -1 : 1;
         double a = -1 / (sign + z);
         double b = x * y * a;
-        turn.by(share);
-        double p = sine * turn.cosine;
-        double q = sine * turn.sine;
         way.along(cosine * x + p * (1 + sign * x * x * a) + q * b, cosine * y + p * sign * b + q * (sign + y * y * a), cosine * z - p * sign * x - q * y);
     }
 

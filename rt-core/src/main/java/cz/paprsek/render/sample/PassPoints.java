@@ -3,79 +3,153 @@ package cz.paprsek.render.sample;
 import java.util.Arrays;
 
 /**
- * Scratch of one worker: the points of a whole pass of a pixel, by dimension. Samples of a pass that go alike ask for the same dimensions: once a second one
- * asks, the points of all are made together, step by step in plain loops, which the JVM makes vectors of; that takes as long as a few by themselves.
+ * Scratch of one worker: the points of a whole pass of a pixel, by dimension. Samples of a pass that go alike ask for the same dimensions, and so do those of the next
+ * one: of all that were asked for often, the points of all samples are made together before the first is asked for, step by step in plain loops, which the JVM makes
+ * vectors of; that takes as long as a few by themselves.
  */
 final class PassPoints {
     /** In place of where a point is: it is to be made by itself. */
     static final int ALONE = -1;
 
-    private static final int PASS = PassSums.PASS;
-    private static final int LOG = 8;
+    private static final int SCRAMBLES = Sampler.SCRAMBLES;
+    private static final int RUN = Sampler.RUN;
+    /** How many dimensions are made at most, of paths. */
+    static final int MOST = 64;
+    /** So many samples must ask for a dimension that it is made for the next pass, and no longer if there are fewer than these. */
+    private static final int OFTEN = 6;
+    private static final int SELDOM = 3;
+    private static final int LOG = 10;
     /** Spreads dimensions over the entries: 2³² times the golden ratio. */
     private static final int SPREAD = 0x9E37_79B1;
+    /** Of an entry: the dimension, its first lane or {@link #ALONE}, by how many samples of this pass it was asked for, and whether as a direction. */
+    private static final int ENTRY = 4;
+    private static final int LANE = 1;
+    private static final int ASKED = 2;
+    private static final int IS_TURN = 3;
 
-    /** Of each entry the dimension, and the pass in which it was asked for: negated if but once. */
-    private final int[] dimensions = new int[1 << LOG];
-    private final int[] passes = new int[1 << LOG];
-    private final int[] us = new int[PASS << LOG];
-    private final int[] vs = new int[PASS << LOG];
+    private final int[] table = new int[ENTRY << LOG];
+    /** Entries of dimensions that are not made. */
+    private final int[] others = new int[1 << LOG];
+    private int othersCount;
+    /** The entries of those that are made, directions first. */
+    private final int[] made;
+    private int madeCount;
+    private int turnCount;
+
+    private final int scramble;
+    private final int size;
     private int pixel;
     private int first = -1;
-    /** Counts passes. */
-    private int pass;
+    /** Whether the points are still those of another pass. */
+    private boolean isStale;
+    /** Where the sample's points are among those of a dimension, and its directions. */
+    private int offset;
+    private int turnOffset;
 
-    /** What is added to a dimension for each sequence. */
-    private final int scramble;
-    /** Of each sample of the pass its number in its sequence, in reversed order. */
-    private final int[] within = new int[PASS];
-    private final int[] reversed = new int[PASS];
-    private final int[] places = new int[PASS];
-    private final int[] keys = new int[PASS];
-    private final int[] indices = new int[PASS];
+    // A lane is a sequence of a dimension; lane by lane for the first sample of each sequence, then for the second ones, and so on.
+    /** Of lanes, the dimension together with the sequence, and two hashes of that. */
+    private final int[] owns;
+    private final int[] orderSeeds;
+    private final int[] hashes;
+    private final int[] reversed;
+    private int reversedFirst = -1;
+    private int reversedLanes;
+    private final int[] places;
+    private final int[] keys;
+    private final int[] indices;
+    private final int[] us;
+    private final int[] vs;
+    private final PassTurns turns;
 
-    /** @param scramble what is added to a dimension for each sequence */
-    PassPoints(int scramble) {
+    /**
+     * No points yet.
+     *
+     * @param scramble what is added to a dimension for each sequence
+     * @param size how many digits number the points
+     * @param most how many dimensions are made together at most
+     */
+    PassPoints(int scramble, int size, int most) {
         this.scramble = scramble;
-        for (int i = 0; i < PASS; i++) {
-            within[i] = Integer.reverse(Sampler.inSequence(i));
+        this.size = size;
+        made = new int[most];
+        owns = new int[most * SCRAMBLES];
+        orderSeeds = new int[most * SCRAMBLES];
+        hashes = new int[most * SCRAMBLES];
+        int points = most * SCRAMBLES * RUN;
+        reversed = new int[points];
+        places = new int[points];
+        keys = new int[points];
+        indices = new int[points];
+        us = new int[points];
+        vs = new int[points];
+        turns = new PassTurns(points);
+        for (int entry = 0; entry < table.length; entry += ENTRY) {
+            table[entry + LANE] = ALONE;
         }
     }
 
-    /** Turns to a pixel's pass, that which a sample is of. */
+    /** Turns to a sample of a pixel. */
     void turnTo(int toPixel, int sample) {
-        if (pixel != toPixel || first != sample / PASS) {
+        int pass = sample / PassSums.PASS;
+        if (pixel != toPixel || first != pass) {
             pixel = toPixel;
-            first = sample / PASS;
-            if (++pass < 0) {
-                Arrays.fill(passes, 0);
-                pass = 1;
-            }
-            int base = Integer.reverse(Sampler.inSequence(first * PASS));
-            for (int i = 0; i < PASS; i++) {
-                reversed[i] = within[i] | base;
-            }
+            first = pass;
+            isStale = true;
+            plan();
         }
+        int sequence = Sampler.scramble(sample);
+        offset = sample % RUN * (madeCount * SCRAMBLES) + sequence;
+        turnOffset = sample % RUN * (turnCount * SCRAMBLES) + sequence;
     }
 
     /**
-     * Where a sample's point of a dimension is, or {@link #ALONE}.
+     * Where the sample's point of a dimension is, or {@link #ALONE}.
      *
      * @param dimension without what tells sequences apart
-     * @param size how many digits number the points
      */
-    int find(int dimension, int sample, int size) {
-        int entry = (dimension * SPREAD) >>> (Integer.SIZE - LOG);
-        if (dimensions[entry] != dimension || (passes[entry] != pass && passes[entry] != -pass)) {
-            dimensions[entry] = dimension;
-            passes[entry] = -pass;
-            return ALONE;
+    int find(int dimension) {
+        int lane = lane(dimension);
+        return lane == ALONE ? ALONE : lane + offset;
+    }
+
+    /** Where the sample's direction of a dimension is among {@link #turns}, or {@link #ALONE}. */
+    int findTurn(int dimension) {
+        int lane = lane(dimension);
+        if (lane != ALONE && lane < turnCount * SCRAMBLES) {
+            return lane + turnOffset;
         }
-        if (passes[entry] != pass) {
-            passes[entry] = pass;
-            fill(dimension, size, entry * PASS);
+        table[entry(dimension) + IS_TURN] = 1;
+        return ALONE;
+    }
+
+    private int lane(int dimension) {
+        int entry = entry(dimension);
+        if (table[entry] != dimension) {
+            return begin(dimension, entry);
         }
-        return entry * PASS + sample % PASS;
+        table[entry + ASKED]++;
+        int lane = table[entry + LANE];
+        if (lane != ALONE && isStale) {
+            fill();
+        }
+        return lane;
+    }
+
+    private static int entry(int dimension) {
+        return ((dimension * SPREAD) >>> (Integer.SIZE - LOG)) * ENTRY;
+    }
+
+    /** The dimension takes the entry from another one that is not made. */
+    private int begin(int dimension, int entry) {
+        if (table[entry + LANE] == ALONE) {
+            if (table[entry] == 0) {
+                others[othersCount++] = entry;
+            }
+            table[entry] = dimension;
+            table[entry + ASKED] = 1;
+            table[entry + IS_TURN] = 0;
+        }
+        return ALONE;
     }
 
     int u(int at) {
@@ -86,48 +160,147 @@ final class PassPoints {
         return vs[at];
     }
 
-    /** The same as {@link Sampler} makes one by one, from a place on. */
-    private void fill(int dimension, int size, int at) {
-        sequences(dimension, size);
-        index(size, reversed, places, indices);
-        second(indices, keys, places);
-        System.arraycopy(places, 0, vs, at, PASS);
-        first(indices, keys, places);
-        System.arraycopy(places, 0, us, at, PASS);
+    PassTurns turns() {
+        return turns;
     }
 
-    /** What is the same for all samples of a sequence, which follow each other: made once for each, and then put beside each sample. */
-    private void sequences(int dimension, int size) {
-        int reversedPixel = Integer.reverse(pixel);
-        for (int i = 0; i < PASS; i += Sampler.RUN) {
-            int own = dimension + scramble * Sampler.scramble(i);
-            int place = Integer.reverse(Sampler.permuted(reversedPixel, Sampler.mixed(own ^ Sampler.ORDER)));
-            int key = Sampler.mixed(own + (place >>> (Integer.SIZE - size)));
-            int order = Sampler.mixed(place ^ Sampler.mixed(own));
-            for (int k = i; k < i + Sampler.RUN; k++) {
-                places[k] = place << size;
-                keys[k] = key;
-                indices[k] = order;
+    /** Decides by what the last pass asked for which dimensions are made. */
+    private void plan() {
+        for (int i = madeCount - 1; i >= 0; i--) {
+            int entry = made[i];
+            boolean isMoved = table[entry + IS_TURN] != 0 && i >= turnCount;
+            if (table[entry + ASKED] < SELDOM || isMoved) {
+                drop(i);
+            } else {
+                table[entry + ASKED] = 0;
             }
+        }
+        int kept = 0;
+        for (int i = 0; i < othersCount; i++) {
+            int entry = others[i];
+            boolean isOften = table[entry + ASKED] >= OFTEN && madeCount < made.length;
+            if (isOften) {
+                make(entry);
+            } else if (table[entry + ASKED] == 0) {
+                table[entry] = 0;
+            } else {
+                others[kept++] = entry;
+            }
+            table[entry + ASKED] = 0;
+        }
+        othersCount = kept;
+    }
+
+    private void make(int entry) {
+        int slot = madeCount;
+        if (table[entry + IS_TURN] != 0) {
+            slot = turnCount++;
+            move(slot, madeCount);
+        }
+        madeCount++;
+        put(entry, slot);
+        for (int i = 0; i < SCRAMBLES; i++) {
+            int own = table[entry] + scramble * i;
+            owns[slot * SCRAMBLES + i] = own;
+            orderSeeds[slot * SCRAMBLES + i] = Sampler.mixed(own ^ Sampler.ORDER);
+            hashes[slot * SCRAMBLES + i] = Sampler.mixed(own);
+        }
+    }
+
+    private void drop(int slot) {
+        int entry = made[slot];
+        table[entry + LANE] = ALONE;
+        others[othersCount++] = entry;
+        int free = slot;
+        if (slot < turnCount) {
+            free = --turnCount;
+            move(free, slot);
+        }
+        move(--madeCount, free);
+    }
+
+    private void move(int from, int to) {
+        if (from != to) {
+            put(made[from], to);
+            System.arraycopy(owns, from * SCRAMBLES, owns, to * SCRAMBLES, SCRAMBLES);
+            System.arraycopy(orderSeeds, from * SCRAMBLES, orderSeeds, to * SCRAMBLES, SCRAMBLES);
+            System.arraycopy(hashes, from * SCRAMBLES, hashes, to * SCRAMBLES, SCRAMBLES);
+        }
+    }
+
+    private void put(int entry, int slot) {
+        made[slot] = entry;
+        table[entry + LANE] = slot * SCRAMBLES;
+    }
+
+    /** Makes the points of the pass: the same as {@link Sampler} makes one by one. */
+    private void fill() {
+        isStale = false;
+        int lanes = madeCount * SCRAMBLES;
+        int all = lanes * RUN;
+        if (reversedFirst != first || reversedLanes != lanes) {
+            reversedFirst = first;
+            reversedLanes = lanes;
+            for (int i = 0; i < RUN; i++) {
+                Arrays.fill(reversed, i * lanes, (i + 1) * lanes, Integer.reverse(first * RUN + i));
+            }
+        }
+        place(lanes, Integer.reverse(pixel), orderSeeds, places);
+        key(lanes, size, places, owns, keys);
+        order(lanes, size, places, hashes, indices);
+        repeat(lanes, keys);
+        repeat(lanes, places);
+        repeat(lanes, indices);
+        index(all, size, reversed, places, indices);
+        second(all, indices, keys, vs);
+        first(all, indices, keys, us);
+        turns.fill(us, vs, turnCount * SCRAMBLES, lanes, RUN);
+    }
+
+    /** For the first sample of each sequence, and so for all. */
+    private static void repeat(int lanes, int[] numbers) {
+        for (int n = lanes; n < lanes * RUN; n *= 2) {
+            System.arraycopy(numbers, 0, numbers, n, n);
+        }
+    }
+
+    private static void place(int count, int reversedPixel, int[] seeds, int[] places) {
+        for (int i = 0; i < count; i++) {
+            places[i] = reverse(Sampler.permuted(reversedPixel, seeds[i]));
+        }
+    }
+
+    private static void key(int count, int size, int[] places, int[] owns, int[] keys) {
+        int rest = Integer.SIZE - size;
+        for (int i = 0; i < count; i++) {
+            keys[i] = Sampler.mixed(owns[i] + (places[i] >>> rest));
+        }
+    }
+
+    /** Makes orders, and where the pixel's points begin of places. */
+    private static void order(int count, int size, int[] places, int[] hashes, int[] orders) {
+        for (int i = 0; i < count; i++) {
+            orders[i] = Sampler.mixed(places[i] ^ hashes[i]);
+            places[i] = places[i] << size;
         }
     }
 
     /** Makes indices of orders. */
-    private static void index(int size, int[] reversed, int[] places, int[] orders) {
+    private static void index(int count, int size, int[] reversed, int[] places, int[] orders) {
         int within = (1 << size) - 1;
-        for (int i = 0; i < PASS; i++) {
+        for (int i = 0; i < count; i++) {
             orders[i] = places[i] | (reverse(Sampler.permuted(reversed[i], orders[i])) & within);
         }
     }
 
-    private static void first(int[] indices, int[] keys, int[] us) {
-        for (int i = 0; i < PASS; i++) {
+    private static void first(int count, int[] indices, int[] keys, int[] us) {
+        for (int i = 0; i < count; i++) {
             us[i] = reverse(Sampler.permuted(indices[i], keys[i]));
         }
     }
 
-    private static void second(int[] indices, int[] keys, int[] vs) {
-        for (int i = 0; i < PASS; i++) {
+    private static void second(int count, int[] indices, int[] keys, int[] vs) {
+        for (int i = 0; i < count; i++) {
             vs[i] = reverse(Sampler.permuted(Sampler.second(indices[i]), keys[i] ^ Sampler.SECOND));
         }
     }

@@ -60,20 +60,26 @@ public final class Sampler {
     /** The first number beyond those of the dimension, and the digits of the number in reversed order. */
     private int end;
     private int reversed;
-    /** Of paths, which of the pixel's samples it is. */
-    private int asked;
-    private final PassPoints points = new PassPoints(SCRAMBLE);
+    private final PassPoints points;
+    private final PassTurns turns;
+    private final Turn turn = new Turn();
     /** Where among them the point is that is asked for. */
     private int at = PassPoints.ALONE;
 
     /** The point: above 0 and below 1. */
     public double u;
     public double v;
+    /** The direction, of length 1. */
+    public double x;
+    public double y;
+    public double z;
 
     private Sampler(int samples, boolean fixed, boolean isOfPaths) {
         this.bits = digits(samples);
         this.fixed = fixed;
         this.isOfPaths = isOfPaths;
+        this.points = new PassPoints(SCRAMBLE, bits, isOfPaths ? PassPoints.MOST : 0);
+        this.turns = points.turns();
     }
 
     /** A sampler that has other points for each pixel, of which so many samples are taken at most. */
@@ -125,7 +131,6 @@ public final class Sampler {
         if (isOfPaths) {
             scramble = SCRAMBLE * scramble(number);
             sample = inSequence(number);
-            asked = number;
             points.turnTo(pixel, number);
         } else {
             sample = number;
@@ -177,6 +182,33 @@ public final class Sampler {
         dimension(DIRECTION + mixed(path), sample, bits, 1);
     }
 
+    /** Puts the direction that the point of {@link #direction} stands for, about the z axis and as often as its cosine is large, in {@link #x} and so on. */
+    public void strew(int path) {
+        int what = DIRECTION + mixed(path);
+        int which = isOfPaths ? points.findTurn(what) : PassPoints.ALONE;
+        if (which == PassPoints.ALONE) {
+            strewAlone(what);
+            return;
+        }
+        x = turns.x[which];
+        y = turns.y[which];
+        z = turns.z[which];
+    }
+
+    private void strewAlone(int what) {
+        size = bits;
+        number = sample;
+        end = sample + 1;
+        at = PassPoints.ALONE;
+        begin(what);
+        next();
+        turn.by(v);
+        double sine = Math.sqrt(u);
+        x = sine * turn.cosine;
+        y = sine * turn.sine;
+        z = Math.sqrt(1 - u);
+    }
+
     /** The next point's u is what becomes of light there. */
     public void lobe(int path) {
         dimension(LOBE + mixed(path), sample, bits, 1);
@@ -187,11 +219,15 @@ public final class Sampler {
         size = digits + perSample;
         number = first << perSample;
         end = number + count;
-        at = isOfPaths && count == 1 ? points.find(what, asked, size) : PassPoints.ALONE;
+        at = isOfPaths && count == 1 ? points.find(what) : PassPoints.ALONE;
         if (at == PassPoints.ALONE) {
-            reversed = Integer.reverse(number);
-            sequence(what + scramble);
+            begin(what);
         }
+    }
+
+    private void begin(int what) {
+        reversed = Integer.reverse(number);
+        sequence(what + scramble);
     }
 
     /** Which number of its sequence a sample of paths has. */
@@ -209,8 +245,8 @@ public final class Sampler {
     /** Puts the next point of the dimension in {@link #u} and {@link #v}. */
     public void next() {
         if (at != PassPoints.ALONE) {
-            u = unit(points.u(at) & UNSIGNED);
-            v = unit(points.v(at) & UNSIGNED);
+            u = unit(points.u(at));
+            v = unit(points.v(at));
             return;
         }
         int within = (1 << size) - 1;
@@ -232,6 +268,11 @@ public final class Sampler {
     /** A fraction whose first 32 binary digits are given: the middle of the interval of all that begin so. */
     private static double unit(long digits) {
         return (digits + 0.5) * ULP;
+    }
+
+    /** The same of digits that are not known to be below 2³¹. */
+    static double unit(int digits) {
+        return unit(digits & UNSIGNED);
     }
 
     /** Of a number of the Sobol sequence, its second coordinate, in reversed order, as the number itself is its first: Pascal's triangle, modulo 2. */

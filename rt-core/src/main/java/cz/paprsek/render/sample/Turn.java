@@ -41,4 +41,39 @@ public final class Turn {
         cosine = sign * c;
         sine = sign * x * s;
     }
+
+    /**
+     * The same of many shares, bit for bit, times a factor for each: in plain loops, which the JVM makes vectors of.
+     *
+     * @param shares between 0 and 1; become angles
+     * @param factors change their sign where that of both does
+     */
+    static void by(int count, double[] shares, double[] factors, double[] cosines, double[] sines) {
+        halve(count, shares, factors);
+        cosines(count, shares, factors, cosines);
+        sines(count, shares, factors, sines);
+    }
+
+    private static void halve(int count, double[] shares, double[] factors) {
+        for (int i = 0; i < count; i++) {
+            double halves = Math.rint(2 * shares[i]);
+            factors[i] *= 1 - 2 * (halves * (2 - halves));
+            shares[i] = 2 * Math.PI * (shares[i] - halves / 2);
+        }
+    }
+
+    private static void cosines(int count, double[] angles, double[] factors, double[] cosines) {
+        for (int i = 0; i < count; i++) {
+            double t = angles[i] * angles[i];
+            cosines[i] = factors[i] * (1 + t * (C1 + t * (C2 + t * (C3 + t * (C4 + t * (C5 + t * (C6 + t * (C7 + t * (C8 + t * (C9 + t * C10))))))))));
+        }
+    }
+
+    private static void sines(int count, double[] angles, double[] factors, double[] sines) {
+        for (int i = 0; i < count; i++) {
+            double t = angles[i] * angles[i];
+            double s = 1 + t * (S1 + t * (S2 + t * (S3 + t * (S4 + t * (S5 + t * (S6 + t * (S7 + t * (S8 + t * (S9 + t * S10)))))))));
+            sines[i] = factors[i] * (angles[i] * s);
+        }
+    }
 }

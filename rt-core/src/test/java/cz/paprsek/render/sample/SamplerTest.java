@@ -219,22 +219,44 @@ class SamplerTest {
         }
     }
 
-    /** The points of a pass of paths, of which all but the first are made together, are those that a sampler makes which is asked for nothing else. */
+    /** The points and directions of passes of paths, of which those that are asked for often are made together, are those that a sampler makes which is asked for nothing else. */
     @Test
     void pointsMadeTogetherAreThoseMadeAlone() {
         Sampler together = Sampler.ofPaths(false);
-        for (int number : new int[] {0, 1, 7, 8, 63, 64, 70, 999_999, 3}) {
-            for (int path : new int[] {Sampler.EYE, Sampler.mirrored(Sampler.EYE)}) {
-                Sampler alone = Sampler.ofPaths(false);
-                alone.start(5, 9, number);
-                alone.direction(path);
-                together.start(5, 9, number ^ 1);
-                together.direction(path);
+        for (int pass : new int[] {0, 1, 2, 15_624, 3, 4, 5, 6}) {
+            for (int k = 0; k < 64; k++) {
+                int number = 64 * pass + k;
                 together.start(5, 9, number);
-                together.direction(path);
-                assertSameNext(alone, together);
+                int path = Sampler.EYE;
+                // Deep ones seldom, and some neither always nor never; from the second pass on a point is asked for as a direction, too.
+                for (int depth = 0; depth < 1 + Integer.numberOfTrailingZeros(k | 32) + pass % 3; depth++) {
+                    Sampler alone = Sampler.ofPaths(false);
+                    alone.start(5, 9, number);
+                    alone.lights(path, 1, 1);
+                    together.lights(path, 1, 1);
+                    assertSameNext(alone, together);
+                    alone.direction(path);
+                    if (pass < 3 || k % 3 == 0) {
+                        together.direction(path);
+                        assertSameNext(alone, together);
+                    } else {
+                        alone.next();
+                    }
+                    if (pass > 0) {
+                        assertDirection(alone, path, together);
+                    }
+                    path = Sampler.mirrored(path);
+                }
             }
         }
+    }
+
+    private static void assertDirection(Sampler point, int path, Sampler sampler) {
+        Turn turn = new Turn();
+        turn.by(point.v);
+        double sine = Math.sqrt(point.u);
+        sampler.strew(path);
+        assertThat(new double[] {sampler.x, sampler.y, sampler.z}).containsExactly(sine * turn.cosine, sine * turn.sine, Math.sqrt(1 - point.u));
     }
 
     private static void assertSameNext(Sampler a, Sampler b) {
