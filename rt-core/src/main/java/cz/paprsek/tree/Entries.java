@@ -28,6 +28,17 @@ public final class Entries {
         groupNear = new double[(most + WideNodes.WIDTH - 1) / WideNodes.WIDTH];
     }
 
+    /**
+     * One leaf of the first items of any tree, searched without asking for a box.
+     *
+     * @param count how many they are, at most {@value Tree#LEAF}
+     */
+    public static Entries atOnce(int count) {
+        Entries all = new Entries(1);
+        all.add(Tree.leaf(0, count, 0), ANYWHERE, 0);
+        return all;
+    }
+
     boolean isFull() {
         return !haveRoomFor(2);
     }

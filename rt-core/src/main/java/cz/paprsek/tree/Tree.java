@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
  */
 public abstract class Tree {
     /** The most items in one leaf. */
-    static final int LEAF = 8;
+    public static final int LEAF = 8;
     /** The cost up to which all items of a leaf are met rather than first its box asked. */
     private static final double QUICK = 4;
 

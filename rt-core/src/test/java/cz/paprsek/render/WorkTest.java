@@ -29,7 +29,7 @@ class WorkTest {
     /** Visits were recorded when the tree was last improved: a better tree calls for new figures, a poorer one for a reason. */
     static Stream<Arguments> work() {
         return Stream.of(
-                Arguments.of("few", StandardScenes.few(), 10_717, 28_590, 77_876),
+                Arguments.of("few", StandardScenes.few(), 10_717, 28_590, 39_644),
                 Arguments.of("flake4", StandardScenes.flake(4), 7727, 41_067, 369_649),
                 Arguments.of("cloud100k", StandardScenes.cloud(100_000), 0, 5514, 299_969),
                 Arguments.of("csg1000", StandardScenes.carved(1000), 0, 12_188, 135_406),

@@ -20,6 +20,9 @@ import org.jspecify.annotations.Nullable;
 
 /** The bodies of a scene in a tree. Those without end stand apart and are met by every ray. */
 public final class Bodies {
+    /** The cost up to which a body is asked as fast as a box. */
+    private static final double QUICK = 2;
+
     /** In the order of the tree's leaves. */
     private final Surface[] surfaces;
     private final Balls balls;
@@ -27,6 +30,7 @@ public final class Bodies {
     /** In place of which bodies are opaque, for who wants the boundaries of all. */
     private final boolean[] none;
     private final Tree tree;
+    private final Entries whole;
     /** How many bodies there are, also empty ones. */
     private final int count;
     /** Which body, by its number in the scene, each of the surfaces is. */
@@ -46,6 +50,7 @@ public final class Bodies {
         this.opaque = pick(allOpaque, finite);
         this.none = new boolean[finite.length];
         this.tree = tree;
+        this.whole = areFew() ? Entries.atOnce(surfaces.length) : tree.whole();
         this.count = all.length;
         this.order = finite;
         this.endless = pick(all, infinite);
@@ -61,6 +66,7 @@ public final class Bodies {
         this.opaque = all.opaque;
         this.none = all.none;
         this.tree = all.tree;
+        this.whole = all.whole;
         this.count = all.count;
         this.order = all.order;
         this.endless = pick(all.endless, endlessLeft);
@@ -130,7 +136,12 @@ public final class Bodies {
 
     /** Where a search starts that knows nothing of its ray. */
     public Entries whole() {
-        return tree.whole();
+        return whole;
+    }
+
+    /** Whether all are asked at least as fast as boxes around them: nearly all rays pass by most bodies, which balls tell. */
+    private boolean areFew() {
+        return surfaces.length <= Tree.LEAF && balls.areMost && Arrays.stream(surfaces).allMatch(surface -> surface.cost() <= QUICK);
     }
 
     /** Finds the subtrees that hold whatever the rays of a bundle can meet. */
@@ -170,7 +181,7 @@ public final class Bodies {
         for (Surface surface : endless) {
             surface.crossings(ray, gatherer.through);
         }
-        tree.any(gatherer, ray, tree.whole());
+        tree.any(gatherer, ray, whole);
         Finder more = gatherer.beside;
         if (more != null) {
             more.bodies.crossings(ray, more);

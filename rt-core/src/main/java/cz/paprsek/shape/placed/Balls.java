@@ -1,26 +1,54 @@
 package cz.paprsek.shape.placed;
 
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
+import java.util.Arrays;
+
 /**
  * Balls side by side, to find out which of a row of surfaces a ray passes by: asking those by themselves takes a call and a walk through
- * memory each. What is no ball may always be met.
+ * memory each. Where most are convex, others than balls have a ball around them; what has none may always be met.
  */
 public final class Balls {
-    /** For each surface x, y, z and the square of the radius, which is infinite if it is no ball; empty if none is. */
+    /** By so much a ball around a body is larger than that, of its radius and of where it is: more than rounding does to both. */
+    private static final double LARGER = 1e-6;
+    private static final double ROUNDING = 1e-11;
+
+    /** For each surface x, y, z and the square of the radius, which is infinite if it has no ball; empty if none has. */
     private final double[] values;
+    /** Whether at least two of three surfaces have one. */
+    public final boolean areMost;
 
     /** Looks through surfaces, which keep their numbers. */
     public Balls(Surface[] surfaces) {
+        long convex = Arrays.stream(surfaces).filter(Balls::isRound).count();
+        areMost = convex > 0 && 3 * convex >= 2L * surfaces.length;
         double[] found = new double[4 * surfaces.length];
         boolean any = false;
         for (int i = 0; i < surfaces.length; i++) {
             if (surfaces[i] instanceof Ball ball) {
                 ball.put(found, 4 * i);
                 any = true;
+            } else if (areMost && isRound(surfaces[i])) {
+                put(surfaces[i].bounds(), found, 4 * i);
+                any = true;
             } else {
                 found[4 * i + 3] = Double.POSITIVE_INFINITY;
             }
         }
         values = any ? found : new double[0];
+    }
+
+    private static boolean isRound(Surface surface) {
+        return surface instanceof Ball || (surface instanceof Convex && surface.bounds().isFinite());
+    }
+
+    private static void put(Bounds box, double[] into, int at) {
+        Vec3 middle = box.middle();
+        double radius = (1 + LARGER) * new Vec3(box.maxX(), box.maxY(), box.maxZ()).minus(middle).length() + ROUNDING * box.magnitude();
+        into[at] = middle.x();
+        into[at + 1] = middle.y();
+        into[at + 2] = middle.z();
+        into[at + 3] = radius * radius;
     }
 
     /** Whether the line of the ray may meet a surface; for a ball by the very arithmetic by which it is met. */
