@@ -171,6 +171,9 @@ public record Block(
 
     /** A block turned or sheared, met in its own space. Faces as above. */
     private static final class Turned extends LocalConvex {
+        /** By so much of itself is the square of its ball's radius made larger where nothing is known of the ray: rays come from as far as a thousand million radii. */
+        private static final double LARGER = 2e-6;
+
         private final Vec3 min;
         private final Vec3 max;
         /** The map to its own space and its corners once more: all that a ray asks stands in one place. */
@@ -244,6 +247,14 @@ public record Block(
             double touching = radius + Ray.TOUCH * ray.scale;
             // ½·a·(a + |a|) is a² of what lies ahead, else 0.
             return square * (1 - 1e-12) - 0.5 * along * (along + Math.abs(along)) > touching * touching;
+        }
+
+        @Override
+        protected void putAround(double[] into, int at) {
+            into[at] = middleX;
+            into[at + 1] = middleY;
+            into[at + 2] = middleZ;
+            into[at + 3] = radius * radius * (1 + LARGER);
         }
 
         @Override

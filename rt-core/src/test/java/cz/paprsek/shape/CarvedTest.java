@@ -7,10 +7,12 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg.Operation;
+import cz.paprsek.shape.placed.Balls;
 import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.shape.placed.Volume;
 import java.util.ArrayList;
 import java.util.List;
@@ -51,19 +53,27 @@ class CarvedTest {
         Random random = new Random(operation.name().length() * 100L + 10L * count + depth);
         int hits = 0;
         int carved = 0;
+        int passedBy = 0;
         for (int body = 0; body < 60; body++) {
             boolean onGrid = body % 3 == 0;
             Volume solid = place(random(operation, count, depth, onGrid, random));
             carved += solid.carved().isPresent() ? 1 : 0;
             Volume byAll = new ByAll(solid);
+            Balls ball = new Balls(new Surface[] {solid});
             for (int i = 0; i < 60; i++) {
                 Ray ray = ray(solid, onGrid, random);
                 Answer answer = ask(solid, ray);
                 assertThat(answer).as("%s %d, ray %d from %s %s %s", operation, body, i, ray.ox, ray.oy, ray.oz).isEqualTo(ask(byAll, ray));
                 hits += answer.part() >= 0 ? 1 : 0;
+                if (!ball.mayBeMet(0, ray)) {
+                    assertThat(answer.occludes()).as("what passes by the ball around %s %d", operation, body).isFalse();
+                    assertThat(answer.part()).isEqualTo(ray.part);
+                    passedBy++;
+                }
             }
         }
         assertThat(hits).as("rays that meet something").isGreaterThan(200);
+        assertThat(passedBy > 0).as("balls around bodies that are part of another").isEqualTo(operation != Operation.UNION);
         assertThat(carved).as("bodies that answer by themselves").isPositive();
     }
 

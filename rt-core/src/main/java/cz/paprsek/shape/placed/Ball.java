@@ -113,6 +113,12 @@ public final class Ball extends Convex {
         return half(ray, middle(ray, x, y, z), x, y, z, r2);
     }
 
+    /** Itself: whoever asks so reckons as it is met. */
+    @Override
+    protected void putAround(double[] into, int at) {
+        put(into, at);
+    }
+
     /** Writes centre and squared radius. */
     void put(double[] into, int at) {
         into[at] = x;

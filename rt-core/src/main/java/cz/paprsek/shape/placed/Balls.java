@@ -6,12 +6,14 @@ import java.util.Arrays;
 
 /**
  * Balls side by side, to find out which of a row of surfaces a ray passes by: asking those by themselves takes a call and a walk through
- * memory each. Where most are convex, others than balls have a ball around them; what has none may always be met.
+ * memory each. Where most are convex, others than balls have a ball around them, and so have bodies put together of which it is known; what has none may always be met.
  */
 public final class Balls {
     /** By so much a ball around a body is larger than that, of its radius and of where it is: more than rounding does to both. */
     private static final double LARGER = 1e-6;
     private static final double ROUNDING = 1e-11;
+    /** The ball of a body that is put together is asked if it hides less than so much of what its box does. */
+    private static final double CLEARLY = 0.9;
 
     /** For each surface x, y, z and the square of the radius, which is infinite if it has no ball; empty if none has. */
     private final double[] values;
@@ -31,6 +33,8 @@ public final class Balls {
             } else if (areMost && isRound(surfaces[i])) {
                 put(surfaces[i].bounds(), found, 4 * i);
                 any = true;
+            } else if (surfaces[i] instanceof Volume body && !(body instanceof Convex) && isWithinBall(body, found, 4 * i)) {
+                any = true;
             } else {
                 found[4 * i + 3] = Double.POSITIVE_INFINITY;
             }
@@ -49,6 +53,18 @@ public final class Balls {
         into[at + 1] = middle.y();
         into[at + 2] = middle.z();
         into[at + 3] = radius * radius;
+    }
+
+    /** Whether a ball around a body put together is met by clearly fewer rays than its box, which has been met already: then the ball is written. */
+    private static boolean isWithinBall(Volume body, double[] into, int at) {
+        Bounds box = body.bounds();
+        into[at + 3] = Double.POSITIVE_INFINITY;
+        body.carved().ifPresent(carved -> carved.putAround(into, at));
+        // Of a convex body a quarter of the surface, from all sides.
+        double x = box.maxX() - box.minX();
+        double y = box.maxY() - box.minY();
+        double z = box.maxZ() - box.minZ();
+        return Math.PI * into[at + 3] < CLEARLY * 0.5 * (x * y + y * z + z * x);
     }
 
     /** Whether the line of the ray may meet a surface; for a ball by the very arithmetic by which it is met. */

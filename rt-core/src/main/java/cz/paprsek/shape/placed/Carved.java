@@ -38,6 +38,18 @@ public final class Carved {
         }
     }
 
+    /** Writes middle and squared radius of the smallest ball known around it; the radius is infinite if there is none. */
+    void putAround(double[] into, int at) {
+        into[at + 3] = Double.POSITIVE_INFINITY;
+        double[] ball = new double[4];
+        for (Convex body : common) {
+            body.putAround(ball, 0);
+            if (ball[3] < into[at + 3]) {
+                System.arraycopy(ball, 0, into, at, 4);
+            }
+        }
+    }
+
     static Carved of(Convex alone) {
         return new Carved(List.of(alone), List.of());
     }

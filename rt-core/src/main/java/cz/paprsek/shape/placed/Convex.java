@@ -26,6 +26,11 @@ public abstract class Convex extends Volume implements Part {
         return true;
     }
 
+    /** Writes middle and squared radius of a ball around it, larger by more than rounding; the radius is infinite if none is known. */
+    protected void putAround(double[] into, int at) {
+        into[at + 3] = Double.POSITIVE_INFINITY;
+    }
+
     @Override
     public final Optional<Carved> carved() {
         return Optional.of(Carved.of(this));

@@ -6,6 +6,7 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Cone;
+import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Ellipsoid;
 import cz.paprsek.shape.Rectangle;
@@ -20,7 +21,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** A body that a ray meets is never passed over because of the ball around it, from however far the ray comes and wherever the body stands. */
 class BallsTest {
     private static final List<Shape> SHAPES = List.of(new Sphere(0.7), new Ellipsoid(new Vec3(0.5, 0.9, 0.2)), new Cone(0.5, 0.2, 0.9), new Cylinder(0.3, 1.1),
-            new Block(new Vec3(-0.6, 0, -0.1), new Vec3(0.6, 1.4, 0.1)));
+            new Block(new Vec3(-0.6, 0, -0.1), new Vec3(0.6, 1.4, 0.1)),
+            Csg.difference(new Block(new Vec3(-0.5, -0.6, -0.7), new Vec3(0.6, 0.6, 0.4)), new Cylinder(0.3, 1)));
 
     private final Ray ray = new Ray(new Spans());
     private int met;
