@@ -233,75 +233,64 @@ final class PassPoints {
         table[entry + LANE] = slot * SCRAMBLES;
     }
 
-    /** Makes the points of the pass: the same as {@link Sampler} makes one by one. */
+    /**
+     * Makes the points of the pass: the same as {@link Sampler} makes one by one. In one method, which is too long for the JVM to put it into others: so what is called here is
+     * always put into these loops, and vectors made of them.
+     */
     private void fill() {
         isStale = false;
-        int lanes = madeCount * SCRAMBLES;
-        int all = lanes * RUN;
+        int count = madeCount * SCRAMBLES;
+        int all = count * RUN;
+        count(count);
+        int[] ofPlace = places;
+        int[] ofKey = keys;
+        int[] ofIndex = indices;
+        int reversedPixel = Integer.reverse(pixel);
+        int[] seeds = orderSeeds;
+        for (int i = 0; i < count; i++) {
+            ofPlace[i] = reverse(Sampler.permuted(reversedPixel, seeds[i]));
+        }
+        int[] own = owns;
+        int rest = Integer.SIZE - size;
+        for (int i = 0; i < count; i++) {
+            ofKey[i] = Sampler.mixed(own[i] + (ofPlace[i] >>> rest));
+        }
+        int[] hash = hashes;
+        int digits = size;
+        for (int i = 0; i < count; i++) {
+            ofIndex[i] = Sampler.mixed(ofPlace[i] ^ hash[i]);
+            ofPlace[i] = ofPlace[i] << digits;
+        }
+        // For the first sample of each sequence, and so for all.
+        for (int n = count; n < all; n *= 2) {
+            System.arraycopy(ofKey, 0, ofKey, n, n);
+            System.arraycopy(ofPlace, 0, ofPlace, n, n);
+            System.arraycopy(ofIndex, 0, ofIndex, n, n);
+        }
+        int[] number = reversed;
+        int within = (1 << digits) - 1;
+        for (int i = 0; i < all; i++) {
+            ofIndex[i] = ofPlace[i] | (reverse(Sampler.permuted(number[i], ofIndex[i])) & within);
+        }
+        int[] v = vs;
+        for (int i = 0; i < all; i++) {
+            v[i] = reverse(Sampler.permuted(Sampler.second(ofIndex[i]), ofKey[i] ^ Sampler.SECOND));
+        }
+        int[] u = us;
+        for (int i = 0; i < all; i++) {
+            u[i] = reverse(Sampler.permuted(ofIndex[i], ofKey[i]));
+        }
+        turns.fill(u, v, turnCount * SCRAMBLES, count, RUN);
+    }
+
+    /** Puts the number of each sample in its sequence in place, unless it is there. */
+    private void count(int lanes) {
         if (reversedFirst != first || reversedLanes != lanes) {
             reversedFirst = first;
             reversedLanes = lanes;
             for (int i = 0; i < RUN; i++) {
                 Arrays.fill(reversed, i * lanes, (i + 1) * lanes, Integer.reverse(first * RUN + i));
             }
-        }
-        place(lanes, Integer.reverse(pixel), orderSeeds, places);
-        key(lanes, size, places, owns, keys);
-        order(lanes, size, places, hashes, indices);
-        repeat(lanes, keys);
-        repeat(lanes, places);
-        repeat(lanes, indices);
-        index(all, size, reversed, places, indices);
-        second(all, indices, keys, vs);
-        first(all, indices, keys, us);
-        turns.fill(us, vs, turnCount * SCRAMBLES, lanes, RUN);
-    }
-
-    /** For the first sample of each sequence, and so for all. */
-    private static void repeat(int lanes, int[] numbers) {
-        for (int n = lanes; n < lanes * RUN; n *= 2) {
-            System.arraycopy(numbers, 0, numbers, n, n);
-        }
-    }
-
-    private static void place(int count, int reversedPixel, int[] seeds, int[] places) {
-        for (int i = 0; i < count; i++) {
-            places[i] = reverse(Sampler.permuted(reversedPixel, seeds[i]));
-        }
-    }
-
-    private static void key(int count, int size, int[] places, int[] owns, int[] keys) {
-        int rest = Integer.SIZE - size;
-        for (int i = 0; i < count; i++) {
-            keys[i] = Sampler.mixed(owns[i] + (places[i] >>> rest));
-        }
-    }
-
-    /** Makes orders, and where the pixel's points begin of places. */
-    private static void order(int count, int size, int[] places, int[] hashes, int[] orders) {
-        for (int i = 0; i < count; i++) {
-            orders[i] = Sampler.mixed(places[i] ^ hashes[i]);
-            places[i] = places[i] << size;
-        }
-    }
-
-    /** Makes indices of orders. */
-    private static void index(int count, int size, int[] reversed, int[] places, int[] orders) {
-        int within = (1 << size) - 1;
-        for (int i = 0; i < count; i++) {
-            orders[i] = places[i] | (reverse(Sampler.permuted(reversed[i], orders[i])) & within);
-        }
-    }
-
-    private static void first(int count, int[] indices, int[] keys, int[] us) {
-        for (int i = 0; i < count; i++) {
-            us[i] = reverse(Sampler.permuted(indices[i], keys[i]));
-        }
-    }
-
-    private static void second(int count, int[] indices, int[] keys, int[] vs) {
-        for (int i = 0; i < count; i++) {
-            vs[i] = reverse(Sampler.permuted(Sampler.second(indices[i]), keys[i] ^ Sampler.SECOND));
         }
     }
 
