@@ -1,6 +1,8 @@
 package cz.paprsek.render.surface;
 
 import cz.paprsek.math.Bounds;
+import cz.paprsek.render.hull.Hull;
+import cz.paprsek.render.hull.Walls;
 import cz.paprsek.shape.placed.Balls;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
@@ -22,6 +24,8 @@ import org.jspecify.annotations.Nullable;
 public final class Bodies {
     /** The cost up to which a body is asked as fast as a box. */
     private static final double QUICK = 2;
+    /** So many bodies within walls are met as they come, where nothing is known of a ray: boxes around them cost more. */
+    private static final int LOOSE = 4;
 
     /** In the order of the tree's leaves. */
     private final Surface[] surfaces;
@@ -35,6 +39,10 @@ public final class Bodies {
     private final int count;
     /** Which body, by its number in the scene, each of the surfaces is. */
     private final int[] order;
+    /** Walls around the others, which are not in the tree. */
+    private final Hull hull;
+    /** Whether the tree is searched only from where bundles enter it. */
+    private final boolean areLoose;
     private final Surface[] endless;
     private final boolean[] endlessOpaque;
     private final int[] endlessOrder;
@@ -44,7 +52,7 @@ public final class Bodies {
     /** Where among the surfaces each body is; empty until it is asked for. */
     private int[] places = {};
 
-    private Bodies(Surface[] all, boolean[] allOpaque, int[] finite, int[] infinite, Tree tree) {
+    private Bodies(Surface[] all, boolean[] allOpaque, int[] finite, int[] infinite, Hull hull, Tree tree) {
         this.surfaces = pick(all, finite);
         this.balls = new Balls(surfaces);
         this.opaque = pick(allOpaque, finite);
@@ -53,6 +61,8 @@ public final class Bodies {
         this.whole = areFew() ? Entries.atOnce(surfaces.length) : tree.whole();
         this.count = all.length;
         this.order = finite;
+        this.hull = hull;
+        this.areLoose = !hull.isNone() && finite.length <= LOOSE;
         this.endless = pick(all, infinite);
         this.endlessOpaque = pick(allOpaque, infinite);
         this.endlessOrder = infinite;
@@ -60,7 +70,7 @@ public final class Bodies {
         this.beside = null;
     }
 
-    private Bodies(Bodies all, BitSet gone, int[] endlessLeft, Bodies beside) {
+    private Bodies(Bodies all, BitSet gone, int[] endlessLeft, Hull hull, Bodies beside) {
         this.surfaces = all.surfaces;
         this.balls = all.balls;
         this.opaque = all.opaque;
@@ -69,6 +79,8 @@ public final class Bodies {
         this.whole = all.whole;
         this.count = all.count;
         this.order = all.order;
+        this.hull = hull;
+        this.areLoose = false;
         this.endless = pick(all.endless, endlessLeft);
         this.endlessOpaque = pick(all.endlessOpaque, endlessLeft);
         this.endlessOrder = all.endlessOrder;
@@ -91,7 +103,7 @@ public final class Bodies {
             }
         }
         int[] left = IntStream.range(0, endless.length).filter(i -> Arrays.binarySearch(which, endlessOrder[i]) < 0).toArray();
-        return new Bodies(this, missing, left, of(fresh, freshOpaque, stop));
+        return new Bodies(this, missing, left, hull.only(body -> Arrays.binarySearch(which, body) < 0), of(fresh, freshOpaque, stop));
     }
 
     /** Found once; several threads that do so find the same. */
@@ -120,9 +132,11 @@ public final class Bodies {
         });
         int[] infinite = IntStream.range(0, count).filter(i -> !isEmpty(box, i) && !isFinite(box, i)).toArray();
         int[] finite = IntStream.range(0, count).filter(i -> !isEmpty(box, i) && isFinite(box, i)).toArray();
-        // Building puts the numbers of the finite ones into the order of the leaves.
-        Tree tree = new TreeBuilder(ItemBoxes.of(box), finite, cost, stop).build();
-        return new Bodies(surfaces, opaque, finite, infinite, tree);
+        Hull hull = Walls.among(surfaces, opaque, finite);
+        int[] inside = hull.isNone() ? finite : Arrays.stream(finite).filter(i -> !hull.has(i)).toArray();
+        // Building puts the numbers of those inside into the order of the leaves.
+        Tree tree = new TreeBuilder(ItemBoxes.of(box), inside, cost, stop).build();
+        return new Bodies(surfaces, opaque, inside, infinite, hull, tree);
     }
 
     private static boolean isEmpty(double[] box, int i) {
@@ -151,7 +165,12 @@ public final class Bodies {
 
     /** Whether a search of these subtrees can find nothing at all. */
     public boolean isClear(Entries entries) {
-        return entries.isEmpty() && endless.length == 0 && beside == null;
+        return entries.isEmpty() && endless.length == 0 && hull.isNone() && beside == null;
+    }
+
+    /** Whether some of them are walls of which a ray meets but the one through which it leaves the room. */
+    boolean haveHull() {
+        return !hull.isNone();
     }
 
     /** Whether no solid that has an end reaches into a box. */
@@ -181,6 +200,7 @@ public final class Bodies {
         for (Surface surface : endless) {
             surface.crossings(ray, gatherer.through);
         }
+        hull.crossings(ray, gatherer.through);
         tree.any(gatherer, ray, whole);
         Finder more = gatherer.beside;
         if (more != null) {
@@ -190,8 +210,15 @@ public final class Bodies {
 
     /** Finds the ray's nearest hit in the given subtrees. */
     public void nearest(Ray ray, Entries entries, Finder finder) {
+        hull.nearest(ray);
         for (Surface surface : endless) {
             surface.nearest(ray);
+        }
+        if (areLoose && entries == whole) {
+            for (Surface surface : surfaces) {
+                surface.nearest(ray);
+            }
+            return;
         }
         tree.nearest(finder, ray, entries, ray.reach);
         Finder more = finder.beside;
@@ -212,9 +239,21 @@ public final class Bodies {
                 return endless[i];
             }
         }
+        if (areLoose && entries == whole) {
+            for (int i = 0; i < surfaces.length; i++) {
+                if (blocks(surfaces[i], opaque[i], ray, through)) {
+                    return surfaces[i];
+                }
+            }
+            return hull.occluder(ray);
+        }
         finder.pushTo(through);
         if (tree.any(finder, ray, entries)) {
             return surfaces[finder.occluder];
+        }
+        Surface wall = hull.occluder(ray);
+        if (wall != null) {
+            return wall;
         }
         Finder more = finder.beside;
         return more == null ? null : more.bodies.occluder(ray, more.bodies.whole(), more, through);

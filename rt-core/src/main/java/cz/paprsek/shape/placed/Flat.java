@@ -7,8 +7,14 @@ import cz.paprsek.ray.Hit;
 
 /** A figure in the plane z = 0 of its own space, met there at t = −o_z / d_z. */
 public abstract class Flat extends Surface implements Part {
+    /** Up to which product of norms a map is told from its inverse so well that a figure lies where its bounds say. */
+    private static final double EVEN = 1e4;
+    /** How far a plane may lean that counts as one across an axis. */
+    private static final double LEAN = 1e-14;
+
     private final int part;
     private final Affine toLocal;
+    private final boolean isEven;
     private final Bounds bounds;
     /** Both are the same everywhere. */
     private final Vec3 tangent;
@@ -17,6 +23,7 @@ public abstract class Flat extends Surface implements Part {
     protected Flat(int part, Affine toWorld, Bounds worldBounds) {
         this.part = part;
         this.toLocal = toWorld.inverse();
+        this.isEven = toWorld.norm() * toLocal.norm() <= EVEN;
         this.bounds = worldBounds;
         this.tangent = toWorld.direction(Vec3.X).normalized();
         Hit hit = new Hit();
@@ -36,6 +43,26 @@ public abstract class Flat extends Surface implements Part {
     @Override
     public Bounds bounds() {
         return bounds;
+    }
+
+    /** The number of the part that it is. */
+    public final int part() {
+        return part;
+    }
+
+    /** To which axis of the world, 0 to 2, its plane is perpendicular; −1 if to none, or if rounding may move its edges farther than a little. */
+    public final int axis() {
+        double x = Math.abs(toLocal.zx());
+        double y = Math.abs(toLocal.zy());
+        double z = Math.abs(toLocal.zz());
+        double most = LEAN * Math.max(x, Math.max(y, z));
+        return !isEven ? -1 : Math.max(y, z) <= most ? 0 : Math.max(x, z) <= most ? 1 : Math.max(x, y) <= most ? 2 : -1;
+    }
+
+    /** Where that axis crosses its plane. */
+    public final double place() {
+        int axis = axis();
+        return 0 - toLocal.zt() / (axis == 0 ? toLocal.zx() : axis == 1 ? toLocal.zy() : toLocal.zz());
     }
 
     @Override
