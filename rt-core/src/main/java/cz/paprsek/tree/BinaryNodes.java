@@ -4,7 +4,7 @@ import java.util.function.IntToDoubleFunction;
 
 /** A binary tree as {@link TreeBuilder} makes it, of which a {@link Kernel} makes what it searches. Read only. */
 final class BinaryNodes {
-    /** As {@link BinaryTree} has them; what lies below a node has higher numbers. */
+    /** As {@link BinaryTree} has them. */
     final double[] boxes;
     final int[] child;
     /** The root's name: inner node 0 unless it is a leaf. */

@@ -38,22 +38,28 @@ final class Collapse {
         left = new float[width];
         right = new float[width];
         boxes = new int[width];
-        for (int node = nodes.count() - 1; node >= 0; node--) {
-            weigh(node);
-        }
+        weigh(nodes.root);
     }
 
     private void weigh(int node) {
+        for (int side = 0; side < 2; side++) {
+            int name = nodes.child[2 * node + side];
+            if (name >= 0) {
+                weigh(name);
+            }
+        }
         look(2 * node, left);
         look(2 * node + 1, right);
         float area = (float) (nodes.halfAreaOf(node) * unit);
         leaf[node] = join(leafAt(2 * node), leafAt(2 * node + 1));
         int at = width * node;
-        cost[at + width - 1] = least(width) + area * NODE;
+        // Two leaves are no more than two children.
+        boolean areLeaves = nodes.child[2 * node] < 0 && nodes.child[2 * node + 1] < 0;
+        cost[at + width - 1] = least(areLeaves ? 2 : width) + area * NODE;
         float best = Math.min(cost[at + width - 1], leaf[node] == 0 ? Float.POSITIVE_INFINITY : ofLeaf(area, leaf[node]));
         cost[at] = best;
         for (int k = 2; k < width; k++) {
-            best = Math.min(best, least(k));
+            best = k == 2 || !areLeaves ? Math.min(best, least(k)) : best;
             cost[at + k - 1] = best;
         }
     }

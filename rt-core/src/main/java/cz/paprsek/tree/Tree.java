@@ -67,6 +67,11 @@ public abstract class Tree {
         return ~(first * (2 * LEAF) + 2 * (count - 1) + (cost <= QUICK ? 1 : 0));
     }
 
+    /** The name of a leaf with the same count at places that are so many farther. */
+    static int moved(int leaf, int by) {
+        return leaf - by * (2 * LEAF);
+    }
+
     static int first(int leaf) {
         return ~leaf / (2 * LEAF);
     }

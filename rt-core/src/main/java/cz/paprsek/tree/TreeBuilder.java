@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.RecursiveAction;
 import java.util.function.BooleanSupplier;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
@@ -87,8 +88,15 @@ public final class TreeBuilder {
         double[] nodes = new double[12 * whole.count];
         int[] child = new int[2 * whole.count];
         int root = whole.write(0, nodes, child);
+        int depth = root < 0 ? whole.depth : new Reinsertion(nodes, child, items).run(whole.depth);
         double all = IntStream.of(items).mapToDouble(item -> cost[item]).sum();
-        return Kernel.suitedTo(count, all).tree(new BinaryNodes(nodes, child, root, whole.depth, place -> cost[items[place]]));
+        return Kernel.suitedTo(count, all).tree(new BinaryNodes(nodes, child, root, depth, costs()));
+    }
+
+    /** What the item at each place costs; mostly all cost the same, and nothing need be looked up. */
+    private IntToDoubleFunction costs() {
+        float one = cost[items[0]];
+        return IntStream.of(items).allMatch(item -> cost[item] == one) ? place -> one : place -> cost[items[place]];
     }
 
     /** The records of all items. */
