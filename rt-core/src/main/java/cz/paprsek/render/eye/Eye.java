@@ -65,6 +65,21 @@ public abstract class Eye {
      */
     public abstract boolean start(Ray ray, double x, double y, double lensU, double lensV);
 
+    /** Whether all rays start in one place, so that their directions can be told at once by {@link #look(Views, int)}. */
+    public boolean looksFromOnePlace() {
+        return false;
+    }
+
+    /** Finds the directions of the rays through the first so many places: bit by bit those of the rays that are started by themselves. */
+    public void look(Views views, int count) {
+        throw new UnsupportedOperationException("rays that start in several places");
+    }
+
+    /** Starts one of these rays. */
+    public final void start(Ray ray, Views views, int i) {
+        ray.start(position.x(), position.y(), position.z(), views.dx[i], views.dy[i], views.dz[i]);
+    }
+
     /** Makes a bundle of all rays through a block of pixels; false if they cannot be bundled. */
     public abstract boolean bundle(Bundle bundle, int left, int top, int columns, int rows);
 

@@ -30,6 +30,29 @@ class Pinhole extends Eye {
     }
 
     @Override
+    public boolean looksFromOnePlace() {
+        return true;
+    }
+
+    @Override
+    public void look(Views views, int count) {
+        double[] xs = views.x;
+        double[] ys = views.y;
+        double[] dxs = views.dx;
+        double[] dys = views.dy;
+        double[] dzs = views.dz;
+        for (int i = 0; i < count; i++) {
+            double dx = directionX(xs[i], ys[i]);
+            double dy = directionY(xs[i], ys[i]);
+            double dz = directionZ(xs[i], ys[i]);
+            double k = 1 / Math.sqrt(dx * dx + dy * dy + dz * dz);
+            dxs[i] = dx * k;
+            dys[i] = dy * k;
+            dzs[i] = dz * k;
+        }
+    }
+
+    @Override
     public boolean bundle(Bundle bundle, int left, int top, int columns, int rows) {
         bundle.start(position.x(), position.y(), position.z());
         for (int corner = 0; corner < 4; corner++) {

@@ -73,6 +73,11 @@ final class ThinLens extends Pinhole {
     }
 
     @Override
+    public boolean looksFromOnePlace() {
+        return false;
+    }
+
+    @Override
     public double[] tell(Ray ray) {
         return aside(ray);
     }

@@ -131,21 +131,19 @@ abstract class BlockTracer extends Shading {
             among = entries;
         }
         cameraRays.from(eye);
-        int i = 0;
-        for (int row = y; row < y + height; row++) {
-            for (int column = x; column < x + width; column++) {
-                for (int k = 0; k < perPixel; k++) {
-                    if (cameraRays.start(first[i], eye, column, row, sample + k)) {
-                        intersector.find(first[i], among);
-                    }
-                    i++;
-                }
+        boolean areAimed = cameraRays.aim(first, eye, x, y, width, height, sample, perPixel);
+        for (int i = 0; i < rays; i++) {
+            if (areAimed) {
+                cameraRays.start(first[i], eye, i);
+            }
+            if (!first[i].ray.isBlind()) {
+                intersector.find(first[i], among);
             }
         }
         primary += rays;
         lighting.starts.prepare(first, rays);
         boolean isRandom = lighting.isRandom();
-        for (i = 0; i < rays; i++) {
+        for (int i = 0; i < rays; i++) {
             if (isRandom) {
                 int pixel = i / perPixel;
                 sampler.start(x + pixel % width, y + pixel / width, sample + i % perPixel);

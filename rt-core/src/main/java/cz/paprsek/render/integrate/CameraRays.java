@@ -3,6 +3,7 @@ package cz.paprsek.render.integrate;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.eye.Views;
 import cz.paprsek.render.sample.Place;
 import cz.paprsek.render.sample.Sampler;
 import cz.paprsek.render.sample.Sampling;
@@ -22,6 +23,8 @@ final class CameraRays {
     /** How far rays are apart, in pixels. */
     private final double spacing;
     private final Ray beside = new Ray(new Spans());
+    /** Of a block. */
+    private final Views views = new Views();
 
     CameraRays(World scene, Sampling sampling, Sampler sampler) {
         this.sampling = sampling;
@@ -34,6 +37,44 @@ final class CameraRays {
     /** Makes ready for rays of an eye. */
     void from(Eye eye) {
         surroundings.from(eye.origins());
+    }
+
+    /**
+     * Makes ready so many rays for each pixel of a block.
+     *
+     * @return whether they are aimed only, all at once, and yet to be started one by one; else they are started, each in what is around there, and may be blind
+     */
+    boolean aim(Level[] rays, Eye eye, int x, int y, int width, int height, int sample, int perPixel) {
+        boolean atOnce = eye.looksFromOnePlace() && !footprints;
+        if (atOnce) {
+            views.reserve(width * height * perPixel);
+        }
+        int i = 0;
+        for (int row = y; row < y + height; row++) {
+            for (int column = x; column < x + width; column++) {
+                for (int k = 0; k < perPixel; k++) {
+                    if (atOnce) {
+                        sampling.place(sampler, column, row, sample + k, place);
+                        rays[i].isNegative = place.isNegative;
+                        views.x[i] = column + place.x;
+                        views.y[i] = row + place.y;
+                    } else {
+                        start(rays[i], eye, column, row, sample + k);
+                    }
+                    i++;
+                }
+            }
+        }
+        if (atOnce) {
+            eye.look(views, i);
+        }
+        return atOnce;
+    }
+
+    /** Starts one of those that are only aimed. */
+    void start(Level level, Eye eye, int i) {
+        eye.start(level.ray, views, i);
+        surroundings.enter(level.ray, level.media);
     }
 
     /** Starts a sample's ray from the eye, in what is around there; false if it is blind. */

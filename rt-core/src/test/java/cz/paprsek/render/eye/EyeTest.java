@@ -53,6 +53,28 @@ class EyeTest {
         assertThat(seen).isGreaterThan(80);
     }
 
+    /** Bit by bit, whether the loop over many has become one of vectors or not. */
+    @Test
+    void directionsToldTogetherAreThoseOfEachRay() {
+        Eye eye = Eye.of(CAMERA, WIDTH, HEIGHT);
+        Views views = new Views();
+        views.reserve(67);
+        Ray together = new Ray(new Spans());
+        for (int round = 0; round < 2000; round++) {
+            for (int i = 0; i < 67; i++) {
+                views.x[i] = WIDTH * random.nextDouble();
+                views.y[i] = HEIGHT * random.nextDouble();
+            }
+            eye.look(views, 67);
+            int i = round % 67;
+            eye.start(together, views, i);
+            assertThat(eye.start(ray, views.x[i], views.y[i])).isTrue();
+            assertThat(new double[] {together.ox, together.oy, together.oz, together.dx, together.dy, together.dz})
+                    .containsExactly(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz);
+        }
+        assertThat(lenses().filter(lens -> Eye.of(CAMERA.withLens(lens), WIDTH, HEIGHT).looksFromOnePlace())).containsExactly(Lens.Perspective.DEFAULT);
+    }
+
     @Test
     void raysThroughTheMiddleGoAlongTheView() {
         lenses().forEach(lens -> {
