@@ -9,7 +9,9 @@ import cz.paprsek.image.Image;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderResult.Outcome;
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.Paths;
 import cz.paprsek.render.integrate.Whitted;
+import cz.paprsek.render.sample.Passes;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Level;
@@ -40,6 +42,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class RendererTest {
+    private static final int ROUNDS = 5;
     private static final Scene SCENE = Scenes.random(11, 40).withSettings(new RenderSettings(101, 67, 5, 1));
 
     @ParameterizedTest
@@ -190,22 +193,41 @@ class RendererTest {
     void tracingAllocatesNothing() {
         Whitted tracer = new Whitted(RenderScene.of(SCENE).world(), 5, Sampling.grid(1));
         Eye eye = Eye.of(SCENE.camera(), 101, 67);
+        // The measurement itself costs some tens of bytes; a single object of 16 bytes in a thousand rays would show.
+        assertThat(allocated((x, y) -> tracer.trace(eye, x, y, 8, 8))).as("bytes for a picture").isLessThan(200);
+        assertThat(tracer.rays() / ROUNDS).isGreaterThan(10_000);
+    }
+
+    /** A pass of 64 in each of some pixels. */
+    @Test
+    void pathsAllocateNothingEach() {
+        RenderSettings settings = SCENE.settings().withIntegrator(RenderSettings.Integrator.PATH).withSamples(64);
+        Paths tracer = new Paths(RenderScene.of(SCENE).world(), 5, new Passes(settings, false));
+        Eye eye = Eye.of(SCENE.camera(), 101, 67);
+        // A pass takes some 100 bytes in this scene, none in simpler ones; a single object of 16 bytes in every eighth path would show.
+        assertThat(allocated((x, y) -> tracer.trace(eye, x, y, 1, 1))).as("bytes for 84 passes").isLessThan(84 * 2 * 64);
+        assertThat(tracer.rays() / ROUNDS).isGreaterThan(10_000);
+    }
+
+    private interface At {
+        void trace(int x, int y);
+    }
+
+    /** The least of some rounds. */
+    private static long allocated(At block) {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         long id = Thread.currentThread().getId();
         long least = Long.MAX_VALUE;
-        for (int round = 0; round < 5; round++) {
+        for (int round = 0; round < ROUNDS; round++) {
             long before = threads.getThreadAllocatedBytes(id);
             for (int y = 0; y < 56; y += 8) {
                 for (int x = 0; x < 96; x += 8) {
-                    tracer.trace(eye, x, y, 8, 8);
+                    block.trace(x, y);
                 }
             }
             least = Math.min(least, threads.getThreadAllocatedBytes(id) - before);
         }
-        long rays = tracer.rays() / 5;
-        // The measurement itself costs some tens of bytes; a single object of 16 bytes in a thousand rays would show.
-        assertThat(least).as("bytes for %d rays", rays).isLessThan(200);
-        assertThat(rays).isGreaterThan(10_000);
+        return least;
     }
 
     @Test
