@@ -2,9 +2,11 @@ package cz.paprsek.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.image.Layers;
+import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.film.Film;
@@ -46,6 +48,15 @@ class PathPicturesTest {
             light.addAll(List.of(image.red(x, y), image.green(x, y), image.blue(x, y)));
         }
         return light;
+    }
+
+    /** Each of the two hits of a path gives a share a of what comes, and 0.3·a + 0.6 of what comes there. */
+    @Test
+    void aCameraWithinAMirrorSeesWhatLightIsThere() {
+        Material mirror = Material.color(Rgb.ofLinear(0.5, 0.5, 0.5)).withDiffusion(0.3).withReflection(0.6);
+        Scene within = Scene.EMPTY.withCamera(Camera.lookingAt(Vec3.ZERO, new Vec3(0, 0, -1))).withAmbient(Rgb.WHITE).plus(SceneObject.of(new Sphere(5)).madeOf(mirror));
+        Image image = Renderer.render(RenderScene.of(within), RenderOptions.of(SETTINGS.withSize(9, 7).withSamples(64).withMaxDepth(2)), RenderMonitor.NONE).image();
+        assertThat(light(image).stream().mapToDouble(x -> x).average()).hasValueCloseTo(0.5 + 0.5 * 0.75, within(0.005));
     }
 
     @Test

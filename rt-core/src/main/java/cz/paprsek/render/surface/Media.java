@@ -119,12 +119,16 @@ public final class Media {
     /** Leaves a solid, wherever it stands in the order; nothing happens if the ray is not in it. */
     public void leave(int solid) {
         int kept = 0;
+        int keptOpaque = opaque;
         for (int i = 0; i < size; i++) {
             if (object[i] != solid) {
                 object[kept] = object[i];
                 index[kept++] = index[i];
+            } else if (i < opaque) {
+                keptOpaque--;
             }
         }
         size = kept;
+        opaque = keptOpaque;
     }
 }

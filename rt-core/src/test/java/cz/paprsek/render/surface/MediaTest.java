@@ -78,6 +78,22 @@ class MediaTest {
     }
 
     @Test
+    void anOpaqueSolidAroundTheRayMayBeLeft() {
+        media.surround(7);
+        media.surround(8);
+        media.enter(1, 1.5);
+        media.leave(7);
+        assertThat(media.hold(7)).isFalse();
+        assertThat(media.hold(8)).isTrue();
+        assertThat(media.count()).isEqualTo(1);
+        assertThat(media.innermost()).isEqualTo(1);
+        media.leave(8);
+        media.leave(1);
+        assertThat(media.innermost()).isEqualTo(-1);
+        assertThat(media.refractiveIndex()).isEqualTo(1);
+    }
+
+    @Test
     void whatWasPassedHereIsKnownUntilTheRayGoesOn() {
         for (int i = 0; i < 9; i++) {
             assertThat(media.havePassed(i)).isFalse();
