@@ -53,19 +53,24 @@ final class Collapse {
         float area = (float) (nodes.halfAreaOf(node) * unit);
         leaf[node] = join(leafAt(2 * node), leafAt(2 * node + 1));
         int at = width * node;
-        // Two leaves are no more than two children.
-        boolean areLeaves = nodes.child[2 * node] < 0 && nodes.child[2 * node + 1] < 0;
-        cost[at + width - 1] = least(areLeaves ? 2 : width) + area * NODE;
+        cost[at + width - 1] = least(width) + area * NODE;
         float best = Math.min(cost[at + width - 1], leaf[node] == 0 ? Float.POSITIVE_INFINITY : ofLeaf(area, leaf[node]));
         cost[at] = best;
         for (int k = 2; k < width; k++) {
-            best = k == 2 || !areLeaves ? Math.min(best, least(k)) : best;
+            best = Math.min(best, least(k));
             cost[at + k - 1] = best;
         }
     }
 
     /** What both children cost together as at most so many. */
     private float least(int many) {
+        // More of them never cost more; of a leaf not less, either.
+        if (left[1] == left[many - 1]) {
+            return left[1] + right[many - 1];
+        }
+        if (right[1] == right[many - 1]) {
+            return left[many - 1] + right[1];
+        }
         float best = Float.POSITIVE_INFINITY;
         for (int k = 1; k < many; k++) {
             best = Math.min(best, left[k] + right[many - k]);
