@@ -200,10 +200,10 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
             this.boxes = Arrays.stream(operands).map(operand -> operand.bounds().padded()).toArray(Bounds[]::new);
             this.quick = quick(operands);
             this.bounds = Arrays.stream(operands).map(Surface::bounds).reduce(operation::bounds).orElseThrow();
-            // To meet each operand, and to combine what it pushes.
-            double[] costs = Arrays.stream(operands).mapToDouble(operand -> operand.cost() + 3).toArray();
-            this.cost = Arrays.stream(costs).sum();
             this.carved = carved(operation, Arrays.stream(operands).map(Volume::carved).toList()).orElse(null);
+            // To meet each operand, and to combine what it pushes, which a carved body mostly does without; and many rays pass by the ball around that.
+            double[] costs = Arrays.stream(operands).mapToDouble(operand -> operand.cost() + (carved == null ? 3 : 0.5)).toArray();
+            this.cost = Arrays.stream(costs).sum();
             this.tree = operands.length > MANY && operation != Operation.INTERSECTION ? new Operands(boxes, costs, stop) : null;
         }
 
