@@ -204,7 +204,7 @@ class RendererTest {
         RenderSettings settings = SCENE.settings().withIntegrator(RenderSettings.Integrator.PATH).withSamples(64);
         Paths tracer = new Paths(RenderScene.of(SCENE).world(), 5, new Passes(settings, false));
         Eye eye = Eye.of(SCENE.camera(), 101, 67);
-        // A pass takes some 100 bytes in this scene, none in simpler ones; a single object of 16 bytes in every eighth path would show.
+        // Some 100 bytes a pass are tables that StrictMath.pow makes, of highlights, now and then; a single object of 16 bytes in every eighth path would show.
         assertThat(allocated((x, y) -> tracer.trace(eye, x, y, 1, 1))).as("bytes for 84 passes").isLessThan(84 * 2 * 64);
         assertThat(tracer.rays() / ROUNDS).isGreaterThan(10_000);
     }
