@@ -21,6 +21,7 @@ import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The first boundary that a ray meets, asked for alone, is the first of all, down to the last bit. */
 class CarvedTest {
@@ -75,6 +76,43 @@ class CarvedTest {
         assertThat(hits).as("rays that meet something").isGreaterThan(200);
         assertThat(passedBy > 0).as("balls around bodies that are part of another").isEqualTo(operation != Operation.UNION);
         assertThat(carved).as("bodies that answer by themselves").isPositive();
+    }
+
+    /** Where a turned block ends, there its ball does: rays that graze its corners, from near and from as far as its ball is made for. */
+    @ParameterizedTest
+    @ValueSource(doubles = {3, 1e3, 1e6, 1e9})
+    void cornersOfTurnedBlocksAreNotLeftOutByTheBallsAroundThem(double radii) {
+        Random random = new Random(5);
+        Solid body = Csg.difference(new Block(new Vec3(-1, -1, -1), new Vec3(1, 1, 1)), new Sphere(0.1));
+        int hits = 0;
+        int passedBy = 0;
+        for (int round = 0; round < 300; round++) {
+            Affine turned = Affine.translation(point(false, random)).after(Affine.rotation(direction(false, random).times(180)))
+                    .after(Affine.scaling(new Vec3(1 + 0.1 * random.nextDouble(), 1, 1)));
+            Volume solid = body.place(turned, new Counting());
+            Balls ball = new Balls(new Surface[] {solid});
+            for (int i = 0; i < 8; i++) {
+                Vec3 corner = new Vec3(i % 2 == 0 ? 1 : -1, i / 2 % 2 == 0 ? 1 : -1, i / 4 == 0 ? 1 : -1);
+                Vec3 across = turned.direction(corner).cross(direction(false, random)).normalized();
+                Ray ray = past(turned.point(corner.times(1 - 1e-9)), across, radii * turned.direction(corner).length());
+                Answer answer = ask(solid, ray);
+                assertThat(answer).as("corner %d of block %d", i, round).isEqualTo(ask(new ByAll(solid), ray));
+                if (answer.part() >= 0) {
+                    hits++;
+                    assertThat(ball.mayBeMet(0, ray)).as("corner %d of block %d", i, round).isTrue();
+                }
+                passedBy += ball.mayBeMet(0, past(turned.point(corner.times(1.01)), across, 3)) ? 0 : 1;
+            }
+        }
+        assertThat(hits).as("corners met").isGreaterThan(200);
+        assertThat(passedBy).as("corners of bodies with a ball, passed by").isGreaterThan(200);
+    }
+
+    private static Ray past(Vec3 point, Vec3 direction, double away) {
+        Ray ray = new Ray(new Spans());
+        Vec3 from = point.minus(direction.times(away));
+        ray.start(from.x(), from.y(), from.z(), direction.x(), direction.y(), direction.z());
+        return ray;
     }
 
     /** A hole flush with a face leaves no skin, and of equal faces the first one's is seen. */

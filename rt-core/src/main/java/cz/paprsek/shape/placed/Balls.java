@@ -17,7 +17,7 @@ public final class Balls {
 
     /** For each surface x, y, z and the square of the radius, which is infinite if it has no ball; empty if none has. */
     private final double[] values;
-    /** Whether at least two of three surfaces have one. */
+    /** Whether at least two of three surfaces are convex and have an end. */
     public final boolean areMost;
 
     /** Looks through surfaces, which keep their numbers. */

@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A body that a ray meets is never passed over because of the ball around it, from however far the ray comes and wherever the body stands. */
@@ -48,6 +49,30 @@ class BallsTest {
         }
         assertThat(met).as("the test needs both").isGreaterThan(1000);
         assertThat(passed).isGreaterThan(1000);
+    }
+
+    /** Blocks along the axes reach the corners of their bounds; where numbers are large, the middle reckoned of a small one is not quite its middle. */
+    @ParameterizedTest
+    @CsvSource({"1, 0, 3", "1, 0, 1e6", "1, 0, 1e8", "1, 1e3, 1e6", "1e-3, 1e8, 1", "1e-6, 1e8, 1"})
+    void cornersOfBlocksAlongTheAxesAreNotPassedOver(double size, double place, double away) {
+        Random random = new Random(3);
+        Vec3 sides = new Vec3(1, 1.4, 1.2).times(size);
+        for (int round = 0; round < 200; round++) {
+            Vec3 min = some(random).times(place).minus(sides.times(0.5));
+            Vec3 max = min.plus(sides);
+            Vec3 middle = min.plus(sides.times(0.5));
+            Surface[] blocks = {new Block(min, max).place(Affine.IDENTITY, Parts.UNTOLD)};
+            Balls balls = new Balls(blocks);
+            for (int i = 0; i < 8; i++) {
+                Vec3 corner = new Vec3(i % 2 == 0 ? min.x() : max.x(), i / 2 % 2 == 0 ? min.y() : max.y(), i / 4 == 0 ? min.z() : max.z());
+                Vec3 outwards = corner.minus(middle);
+                Vec3 across = outwards.cross(some(random)).normalized();
+                Vec3 from = corner.minus(outwards.times(1e-9)).minus(across.times(away));
+                ray.start(from.x(), from.y(), from.z(), across.x(), across.y(), across.z());
+                ask(balls, blocks, 0);
+            }
+        }
+        assertThat(met).as("corners met").isGreaterThan(200);
     }
 
     private void ask(Balls balls, Surface[] surfaces, int body) {
