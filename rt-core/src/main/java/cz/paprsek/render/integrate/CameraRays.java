@@ -77,26 +77,31 @@ final class CameraRays {
         surroundings.enter(level.ray, level.media);
     }
 
-    /** Starts a sample's ray from the eye, in what is around there; false if it is blind. */
-    boolean start(Level level, Eye eye, int column, int row, int sample) {
+    /** Starts a sample's ray from the eye, in what is around there; it may be blind. */
+    void start(Level level, Eye eye, int column, int row, int sample) {
         sampling.place(sampler, column, row, sample, place);
         level.isNegative = place.isNegative;
         double x = column + place.x;
         double y = row + place.y;
         if (!eye.hasAperture()) {
-            return start(level, eye, x, y);
+            start(level, eye, x, y);
+            return;
         }
         look(level, eye, x, y);
         sampler.start(column, row, sample);
         sampler.lens();
         sampler.next();
-        return entered(eye.start(level.ray, x, y, sampler.u, sampler.v), level);
+        if (eye.start(level.ray, x, y, sampler.u, sampler.v)) {
+            surroundings.enter(level.ray, level.media);
+        }
     }
 
-    /** Starts the ray through a point of the picture and the middle of the lens; false if it is blind. */
-    boolean start(Level level, Eye eye, double x, double y) {
+    /** Starts the ray through a point of the picture and the middle of the lens; it may be blind. */
+    void start(Level level, Eye eye, double x, double y) {
         look(level, eye, x, y);
-        return entered(eye.start(level.ray, x, y), level);
+        if (eye.start(level.ray, x, y)) {
+            surroundings.enter(level.ray, level.media);
+        }
     }
 
     /** Starts a ray anywhere, in a direction of length 1. */
@@ -123,12 +128,5 @@ final class CameraRays {
         } else {
             level.footprint.startAlike(neighbour);
         }
-    }
-
-    private boolean entered(boolean sees, Level level) {
-        if (sees) {
-            surroundings.enter(level.ray, level.media);
-        }
-        return sees;
     }
 }
