@@ -1,5 +1,6 @@
 package cz.paprsek.tree;
 
+import java.util.function.BooleanSupplier;
 import java.util.function.IntToDoubleFunction;
 
 /** A binary tree as {@link TreeBuilder} makes it, of which a {@link Kernel} makes what it searches. Read only. */
@@ -13,18 +14,28 @@ final class BinaryNodes {
     final int depth;
 
     private final IntToDoubleFunction cost;
+    private final BooleanSupplier stop;
 
-    /** @param cost of the item at a place in the order of the leaves, in units of what a sphere takes */
-    BinaryNodes(double[] boxes, int[] child, int root, int depth, IntToDoubleFunction cost) {
+    /**
+     * @param cost of the item at a place in the order of the leaves, in units of what a sphere takes
+     * @param stop whether whoever makes something of it is to give up
+     */
+    BinaryNodes(double[] boxes, int[] child, int root, int depth, IntToDoubleFunction cost, BooleanSupplier stop) {
         this.boxes = boxes;
         this.child = child;
         this.root = root;
         this.depth = depth;
         this.cost = cost;
+        this.stop = stop;
     }
 
     int count() {
         return child.length / 2;
+    }
+
+    /** To be called with the number of each node that something is made of. */
+    void stopIfAsked(int node) {
+        TreeBuilder.stopIfAsked(node, stop);
     }
 
     /** What it costs to meet all items from one place to before another. */

@@ -42,6 +42,7 @@ final class Collapse {
     }
 
     private void weigh(int node) {
+        nodes.stopIfAsked(node);
         for (int side = 0; side < 2; side++) {
             int name = nodes.child[2 * node + side];
             if (name >= 0) {

@@ -81,7 +81,7 @@ public final class TreeBuilder {
     public Tree build() {
         int count = items.length;
         if (count == 0) {
-            return Kernel.suitedTo(0, 0).tree(new BinaryNodes(new double[0], new int[0], 0, 0, place -> 0));
+            return Kernel.suitedTo(0, 0).tree(new BinaryNodes(new double[0], new int[0], 0, 0, place -> 0, stop));
         }
         Subtree whole = new Subtree(count > FORK ? records() : new int[0], 0, count, 0, new int[0]);
         whole.invoke();
@@ -90,7 +90,7 @@ public final class TreeBuilder {
         int root = whole.write(0, nodes, child);
         int depth = root < 0 || count < Reinsertion.LEAST ? whole.depth : new Reinsertion(nodes, child, items, stop).run(whole.depth);
         double all = IntStream.of(items).mapToDouble(item -> cost[item]).sum();
-        return Kernel.suitedTo(count, all).tree(new BinaryNodes(nodes, child, root, depth, costs()));
+        return Kernel.suitedTo(count, all).tree(new BinaryNodes(nodes, child, root, depth, costs(), stop));
     }
 
     /** What the item at each place costs; mostly all cost the same, and nothing need be looked up. */

@@ -62,6 +62,7 @@ final class WideNodes {
     }
 
     private int widen(BinaryNodes nodes, Collapse plan, int inner, int level) {
+        nodes.stopIfAsked(inner);
         depth = Math.max(depth, level + 1);
         int node = add();
         int[] at = plan.children(inner);

@@ -44,7 +44,7 @@ class ReinsertionTest {
     }
 
     private double surface() {
-        BinaryNodes tree = new BinaryNodes(nodes, child, 0, 1, place -> 1);
+        BinaryNodes tree = new BinaryNodes(nodes, child, 0, 1, place -> 1, () -> false);
         return IntStream.range(0, ITEMS - 1).mapToDouble(tree::halfAreaOf).sum();
     }
 

@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.BitSet;
 import java.util.Random;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -120,6 +122,18 @@ class TreeTest {
             assertThatThrownBy(builder::build).isInstanceOf(CancellationException.class);
             assertThat(asked.get()).isBetween(questions + 1, questions + 200);
         }
+    }
+
+    @Test
+    void allThatBuildsAsksWhetherToStop() {
+        Boxes boxes = new Boxes(new Random(1), 200_000, 1, 0);
+        Set<Class<?>> asking = ConcurrentHashMap.newKeySet();
+        StackWalker walker = StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE);
+        new TreeBuilder(ItemBoxes.of(boxes.box), boxes.order, boxes.cost, () -> {
+            walker.forEach(frame -> asking.add(frame.getDeclaringClass()));
+            return false;
+        }).build();
+        assertThat(asking).contains(Bins.class, Reinsertion.class, Collapse.class, WideNodes.class);
     }
 
     /** Boxes around random points, small ones mostly, a few flat or of no size at all, and some twice in one place. */
