@@ -15,9 +15,11 @@ final class Reinsertion {
 
     /** So many nodes are opened at most, which makes up to twice as many subtrees, less one. */
     private static final int MOST = 1 << 13;
-    /** So many places are looked at for each, on the average, at most, in all passes together: two in a snowflake take so many. */
-    private static final int STEPS = 68;
+    /** So many places are looked at for each, on the average, at most, in all passes together: with more, trees that were built from above are no better. */
+    private static final int STEPS = 24;
     private static final int PASSES = 2;
+    /** What is not cheaper elsewhere than so much of what it costs where it is stays there. */
+    private static final double WORTH = 0.97;
     /** A tree is good enough if, once this part of its subtrees was tried, less than this part of those tried was moved. */
     private static final int FEW = 16;
     /** Trees that would become deeper stay as they were. */
@@ -30,6 +32,8 @@ final class Reinsertion {
 
     /** Subtrees, the root first: the box of each, what it is called in the tree, in which one it is, and its two children if they are among these, else 0. */
     private final double[] box;
+    /** Half the surface of each box. */
+    private final double[] area;
     private final int[] name;
     private final int[] parent;
     private final int[] first;
@@ -40,6 +44,9 @@ final class Reinsertion {
     private double[] key;
     private int[] heap;
     private int waiting;
+    /** The least that it costs to put back what was taken out, as far as is known, and beside which one. */
+    private double best;
+    private int beside;
     /** How many places may still be looked at. */
     private int steps;
 
@@ -62,6 +69,7 @@ final class Reinsertion {
         this.stop = stop;
         int room = 2 * Math.min(MOST, child.length / 2 + 1);
         box = new double[6 * room];
+        area = new double[room];
         name = new int[room];
         parent = new int[room];
         first = new int[room];
@@ -71,6 +79,7 @@ final class Reinsertion {
         Grid.empty(box, 0);
         Grid.grow(box, 0, nodes, 0);
         Grid.grow(box, 0, nodes, 6);
+        measure(0);
         parent[0] = -1;
         push(0, 0);
         while (waiting > 0 && count + 2 <= room) {
@@ -88,8 +97,9 @@ final class Reinsertion {
         parent[subtree] = in;
         name[subtree] = child[place];
         System.arraycopy(nodes, 6 * place, box, 6 * subtree, 6);
+        measure(subtree);
         if (name[subtree] >= 0) {
-            push(-halfArea(subtree), subtree);
+            push(-area[subtree], subtree);
         }
         return subtree;
     }
@@ -129,7 +139,7 @@ final class Reinsertion {
     private int pass() {
         long[] order = new long[count - 1];
         for (int i = 1; i < count; i++) {
-            order[i - 1] = ~(Double.doubleToRawLongBits(halfArea(i)) >>> 32) << 32 | i;
+            order[i - 1] = ~(Double.doubleToRawLongBits(area[i]) >>> 32) << 32 | i;
         }
         Arrays.sort(order);
         int moved = 0;
@@ -143,7 +153,7 @@ final class Reinsertion {
         return moved;
     }
 
-    /** Takes a subtree out and puts it where it costs least; whether that is not where it was. */
+    /** Takes a subtree out and puts it where it costs least, if that is clearly less than where it was; whether it is. */
     private boolean move(int subtree) {
         int pair = parent[subtree];
         int in = parent[pair];
@@ -152,34 +162,56 @@ final class Reinsertion {
         }
         int sibling = first[pair] == subtree ? second[pair] : first[pair];
         replace(in, pair, sibling);
-        fit(in);
-        double own = halfArea(subtree);
-        double best = Double.POSITIVE_INFINITY;
-        int beside = sibling;
-        waiting = 0;
-        push(0, 0);
-        while (waiting > 0 && key[0] + own < best) {
-            double before = key[0];
-            int at = pop();
-            steps--;
-            double all = before + halfAreaOfBoth(at, subtree);
-            if (all < best && at != 0) {
-                best = all;
-                beside = at;
-            }
-            double growth = all - halfArea(at);
-            if (first[at] != 0 && growth + own < best) {
-                push(growth, first[at]);
-                push(growth, second[at]);
-            }
+        double cost = area[pair] + shrink(in);
+        cheapest(subtree, cost * WORTH);
+        if (beside < 0) {
+            replace(in, sibling, pair);
+            parent[sibling] = pair;
+            stretch(in, subtree);
+            return false;
         }
         replace(parent[beside], beside, pair);
         first[pair] = beside;
         second[pair] = subtree;
         parent[beside] = pair;
-        parent[subtree] = pair;
-        fit(pair);
-        return beside != sibling;
+        System.arraycopy(box, 6 * beside, box, 6 * pair, 6);
+        Grid.grow(box, 6 * pair, box, 6 * subtree);
+        measure(pair);
+        stretch(parent[pair], subtree);
+        return true;
+    }
+
+    /** Finds beside which one it costs least to put a subtree, if that is less than so much; else −1. */
+    private void cheapest(int subtree, double most) {
+        double own = area[subtree];
+        best = most;
+        beside = -1;
+        waiting = 0;
+        tryInside(0, halfAreaOfBoth(0, subtree) - area[0], own);
+        while (waiting > 0 && key[0] + own < best) {
+            double before = key[0];
+            int at = pop();
+            tryBeside(first[at], subtree, before);
+            tryBeside(second[at], subtree, before);
+        }
+    }
+
+    private void tryBeside(int at, int subtree, double before) {
+        steps--;
+        double all = before + halfAreaOfBoth(at, subtree);
+        if (all < best) {
+            best = all;
+            beside = at;
+        }
+        if (first[at] != 0) {
+            tryInside(at, all - area[at], area[subtree]);
+        }
+    }
+
+    private void tryInside(int at, double growth, double own) {
+        if (growth + own < best) {
+            push(growth, at);
+        }
     }
 
     private void replace(int in, int old, int by) {
@@ -191,17 +223,48 @@ final class Reinsertion {
         parent[by] = in;
     }
 
-    /** Makes boxes fit what they hold, from one upwards. */
-    private void fit(int from) {
+    /** Makes boxes fit what they still hold, from one upwards; by how much all of their surfaces lessen. */
+    private double shrink(int from) {
+        double sum = 0;
         for (int at = from; at >= 0; at = parent[at]) {
-            Grid.empty(box, 6 * at);
-            Grid.grow(box, 6 * at, box, 6 * first[at]);
-            Grid.grow(box, 6 * at, box, 6 * second[at]);
+            int a = 6 * first[at];
+            int b = 6 * second[at];
+            boolean same = true;
+            for (int k = 0; k < 3; k++) {
+                double min = Math.min(box[a + k], box[b + k]);
+                double max = Math.max(box[a + k + 3], box[b + k + 3]);
+                same &= box[6 * at + k] == min && box[6 * at + k + 3] == max;
+                box[6 * at + k] = min;
+                box[6 * at + k + 3] = max;
+            }
+            if (same) {
+                break;
+            }
+            double before = area[at];
+            measure(at);
+            sum += before - area[at];
+        }
+        return sum;
+    }
+
+    /** Makes boxes hold a subtree, from one upwards. */
+    private void stretch(int from, int subtree) {
+        for (int at = from; at >= 0 && !holds(at, subtree); at = parent[at]) {
+            Grid.grow(box, 6 * at, box, 6 * subtree);
+            measure(at);
         }
     }
 
-    private double halfArea(int subtree) {
-        return halfAreaOfBoth(subtree, subtree);
+    private boolean holds(int one, int other) {
+        boolean all = true;
+        for (int k = 0; k < 3; k++) {
+            all &= box[6 * one + k] <= box[6 * other + k] && box[6 * one + k + 3] >= box[6 * other + k + 3];
+        }
+        return all;
+    }
+
+    private void measure(int subtree) {
+        area[subtree] = halfAreaOfBoth(subtree, subtree);
     }
 
     /** Half the surface of the box around two. */
@@ -260,7 +323,7 @@ final class Reinsertion {
             place += high - low;
             return by == 0 ? name[subtree] : shift(name[subtree], by);
         }
-        boolean firstIsLarger = halfArea(first[subtree]) >= halfArea(second[subtree]);
+        boolean firstIsLarger = area[first[subtree]] >= area[second[subtree]];
         int larger = firstIsLarger ? first[subtree] : second[subtree];
         int other = firstIsLarger ? second[subtree] : first[subtree];
         int node = name[subtree];
