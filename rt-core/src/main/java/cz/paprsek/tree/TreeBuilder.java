@@ -32,6 +32,9 @@ public final class TreeBuilder {
     private final int[] items;
     /** By an item's number: the cost of testing it. */
     private final float[] cost;
+    /** What all items cost together, and whether each of them costs the same. */
+    private final double all;
+    private final boolean alike;
     private final BooleanSupplier stop;
     private final double nodeCost;
 
@@ -50,6 +53,15 @@ public final class TreeBuilder {
         this.stop = stop;
         // The larger the tree, the farther from the processor lie its nodes.
         this.nodeCost = Math.max(NEAR_NODE_COST, FAR_NODE_COST * StrictMath.cbrt(items.length / 1e6));
+        // While neighbouring items still have neighbouring numbers: in the order of the leaves each would be looked for in memory.
+        double sum = 0;
+        boolean same = true;
+        for (int item : items) {
+            sum += cost[item];
+            same &= cost[item] == cost[items[0]];
+        }
+        this.all = sum;
+        this.alike = same;
     }
 
     /** Writes a box into an array of boxes. */
@@ -89,14 +101,13 @@ public final class TreeBuilder {
         int[] child = new int[2 * whole.count];
         int root = whole.write(0, nodes, child);
         int depth = root < 0 || count < Reinsertion.LEAST ? whole.depth : new Reinsertion(nodes, child, items, stop).run(whole.depth);
-        double all = IntStream.of(items).mapToDouble(item -> cost[item]).sum();
         return Kernel.suitedTo(count, all).tree(new BinaryNodes(nodes, child, root, depth, costs(), stop));
     }
 
     /** What the item at each place costs; mostly all cost the same, and nothing need be looked up. */
     private IntToDoubleFunction costs() {
         float one = cost[items[0]];
-        return IntStream.of(items).allMatch(item -> cost[item] == one) ? place -> one : place -> cost[items[place]];
+        return alike ? place -> one : place -> cost[items[place]];
     }
 
     /** The records of all items. */
