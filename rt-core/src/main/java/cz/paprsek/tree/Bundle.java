@@ -32,6 +32,9 @@ public final class Bundle {
     private double overHighY;
     private double overHighZ;
     private double end;
+    /** Around all its lines, if they have no end and it is known. */
+    private final Frustum frustum = new Frustum();
+    private boolean hasFrustum;
 
     /** Starts an empty bundle from a point; its lines have no end. */
     public void start(double x, double y, double z) {
@@ -47,6 +50,7 @@ public final class Bundle {
         toY = maxY;
         toZ = maxZ;
         end = Double.POSITIVE_INFINITY;
+        hasFrustum = false;
         lowX = Double.POSITIVE_INFINITY;
         lowY = Double.POSITIVE_INFINITY;
         lowZ = Double.POSITIVE_INFINITY;
@@ -69,6 +73,28 @@ public final class Bundle {
     /** A length that no d is longer than: at most √3 times as long as the longest can be. */
     public double longest() {
         return Math.max(Math.abs(lowX), Math.abs(highX)) + Math.max(Math.abs(lowY), Math.abs(highY)) + Math.max(Math.abs(lowZ), Math.abs(highZ));
+    }
+
+    /**
+     * Adds all directions between four of them.
+     *
+     * @param corners x y z of each, of any length, one beside the other round about
+     */
+    public void addBetween(double[] corners) {
+        for (int i = 0; i < corners.length; i += 3) {
+            add(corners[i], corners[i + 1], corners[i + 2]);
+        }
+        hasFrustum = frustum.start(fromX, fromY, fromZ, corners);
+    }
+
+    /** Whether it has no lines but those that have been added between four. */
+    public boolean hasFrustum() {
+        return hasFrustum;
+    }
+
+    /** What lies between four of its directions, if it has such. */
+    public Frustum frustum() {
+        return frustum;
     }
 
     /** Widens the bundle to hold a direction. */

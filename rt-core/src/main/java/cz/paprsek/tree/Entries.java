@@ -5,6 +5,7 @@ public final class Entries {
     /** In place of a box: the subtree is searched without asking. */
     static final int ANYWHERE = -1;
 
+    private final int most;
     final int[] node;
     /** Where the box of each subtree starts in the tree's array. */
     final int[] box;
@@ -19,13 +20,15 @@ public final class Entries {
     /** Up to which t no line meets anything in a group. */
     final double[] groupNear;
 
-    /** @param most how many subtrees are kept apart at most */
+    /** @param most how many subtrees are kept apart at most, unless they are looked for by a frustum: then twice as many */
     public Entries(int most) {
-        // One more: a subtree that is opened gives way only after its halves have been added.
-        node = new int[most + 1];
-        box = new int[most + 1];
-        near = new double[most + 1];
-        groupNear = new double[(most + WideNodes.WIDTH - 1) / WideNodes.WIDTH];
+        // One more: a subtree that is opened gives way only after its halves have been added. And as many again for who opens only what is worth it.
+        this.most = most + 1;
+        int room = 2 * this.most;
+        node = new int[room];
+        box = new int[room];
+        near = new double[room];
+        groupNear = new double[(room + WideNodes.WIDTH - 1) / WideNodes.WIDTH];
     }
 
     /**
@@ -45,7 +48,12 @@ public final class Entries {
 
     /** Whether a subtree could be opened that has so many children. */
     boolean haveRoomFor(int children) {
-        return size + children <= node.length;
+        return size + children <= most;
+    }
+
+    /** Whether so many could be added at all. */
+    boolean canHold(int more) {
+        return size + more <= node.length;
     }
 
     /** Whether a search of these subtrees can find nothing at all. */
@@ -53,9 +61,28 @@ public final class Entries {
         return size == 0;
     }
 
-    void startWith(Entries others) {
+    void clear() {
         size = 0;
         boxes = 0;
+    }
+
+    /** Offers the leaves, the nearest first; those that are taken need not be searched any more. */
+    void offer(Leaves taker) {
+        int kept = 0;
+        int all = size;
+        clear();
+        for (int i = 0; i < all; i++) {
+            boolean isBehind = node[i] < 0 && near[i] >= taker.reach();
+            if (!isBehind && !(node[i] < 0 && taker.take(Tree.first(node[i]), Tree.end(node[i])))) {
+                boxes += isLeafAnywhere(i) ? 0 : 1;
+                copy(i, kept++);
+            }
+        }
+        size = kept;
+    }
+
+    void startWith(Entries others) {
+        clear();
         for (int i = 0; i < others.size; i++) {
             add(others.node[i], others.box[i], others.near[i]);
         }

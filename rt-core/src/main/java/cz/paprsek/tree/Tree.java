@@ -34,6 +34,16 @@ public abstract class Tree {
     public abstract void enter(Bundle bundle, Entries entries);
 
     /**
+     * The same, but for leaves that are met at once, the nearest first as far as boxes tell.
+     *
+     * @param bundle has a {@linkplain Bundle#hasFrustum frustum}
+     */
+    public void enter(Bundle bundle, Entries entries, Leaves taker) {
+        enter(bundle, entries);
+        entries.offer(taker);
+    }
+
+    /**
      * Meets the leaves in the given subtrees whose boxes the line enters before its end, the nearest first as far as boxes tell.
      *
      * @param end where the line ends; each leaf that is met may lower it

@@ -23,6 +23,11 @@ final class WideTree extends Tree {
     /** In place of a node: goes on with those to visit. */
     private static final int NEXT = -1;
 
+    /** A one in each of eight bytes. */
+    private static final long ALL = 0x0101_0101_0101_0101L;
+    /** So many leaves are met by all lines of a frustum at once; where there are more, lines meet so few of their items that each line looks for its own. */
+    private static final int ENOUGH = 48;
+
     private final WideNodes nodes;
     private final float[] data;
 
@@ -38,6 +43,70 @@ final class WideTree extends Tree {
         entries.startWith(whole());
         nodes.open(bundle, entries);
         entries.gather(data);
+    }
+
+    @Override
+    public void enter(Bundle bundle, Entries entries, Leaves taker) {
+        Frustum frustum = bundle.frustum();
+        // Of a leaf that is alone no box is known.
+        if (depth < 2 || !frustum.aim(nodes, 3 * WIDTH)) {
+            super.enter(bundle, entries, taker);
+            entries.gather(data);
+            return;
+        }
+        entries.clear();
+        int met = 0;
+        int top = push(frustum, WideNodes.FIRST, 0);
+        while (top > 0) {
+            int at = frustum.box[--top];
+            double near = frustum.near[top];
+            if (near >= taker.reach()) {
+                continue;
+            }
+            int subtree = name(data, at, 0);
+            if (subtree >= 0 && met < ENOUGH && entries.canHold(top + WIDTH)) {
+                top = push(frustum, subtree, top);
+            } else if (subtree < 0 && taker.take(first(subtree), end(subtree))) {
+                met++;
+            } else {
+                entries.add(subtree, isQuick(subtree) ? Entries.ANYWHERE : at, Math.max(0, near));
+            }
+        }
+        entries.gather(data);
+    }
+
+    /** Puts the children of a node that a frustum reaches into upon those to be visited, and returns how many there are then. */
+    private int push(Frustum frustum, int node, int from) {
+        float[] nodeData = data;
+        float[] x = frustum.x;
+        float[] y = frustum.y;
+        float[] z = frustum.z;
+        float[] w = frustum.w;
+        int[] atX = frustum.atX;
+        int[] atY = frustum.atY;
+        int[] atZ = frustum.atZ;
+        FloatVector a = FloatVector.fromArray(FLOATS, nodeData, node + atX[0]).mul(x[0]).add(FloatVector.fromArray(FLOATS, nodeData, node + atY[0]).mul(y[0]))
+                .add(FloatVector.fromArray(FLOATS, nodeData, node + atZ[0]).mul(z[0])).add(w[0]);
+        FloatVector b = FloatVector.fromArray(FLOATS, nodeData, node + atX[1]).mul(x[1]).add(FloatVector.fromArray(FLOATS, nodeData, node + atY[1]).mul(y[1]))
+                .add(FloatVector.fromArray(FLOATS, nodeData, node + atZ[1]).mul(z[1])).add(w[1]);
+        FloatVector c = FloatVector.fromArray(FLOATS, nodeData, node + atX[2]).mul(x[2]).add(FloatVector.fromArray(FLOATS, nodeData, node + atY[2]).mul(y[2]))
+                .add(FloatVector.fromArray(FLOATS, nodeData, node + atZ[2]).mul(z[2])).add(w[2]);
+        FloatVector d = FloatVector.fromArray(FLOATS, nodeData, node + atX[3]).mul(x[3]).add(FloatVector.fromArray(FLOATS, nodeData, node + atY[3]).mul(y[3]))
+                .add(FloatVector.fromArray(FLOATS, nodeData, node + atZ[3]).mul(z[3])).add(w[3]);
+        // Outside a plane is what lies below zero.
+        long outside = a.reinterpretAsInts().lanewise(VectorOperators.OR, b.reinterpretAsInts())
+                .lanewise(VectorOperators.OR, c.reinterpretAsInts().lanewise(VectorOperators.OR, d.reinterpretAsInts())).lanewise(VectorOperators.LSHR, 31)
+                .convertShape(VectorOperators.I2B, BYTES, 0).reinterpretShape(LONGS, 0).reinterpretAsLongs().lane(0);
+        int top = from;
+        for (long hits = outside ^ ALL; hits != 0; hits &= hits - 1) {
+            int at = node + (Long.numberOfTrailingZeros(hits) >>> 3);
+            // The boxes of slots without a child are no number.
+            if (name(nodeData, at, 0) == NOTHING) {
+                break;
+            }
+            frustum.push(nodeData, at, from, top++);
+        }
+        return top;
     }
 
     @Override

@@ -9,6 +9,7 @@ import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
+import cz.paprsek.shape.placed.Sheaf;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
@@ -26,6 +27,7 @@ abstract class BlockTracer extends Shading {
     private final Sampling sampling;
     private final Bundle bundle = new Bundle();
     private final Entries entries = new Entries(MOST_ENTRIES);
+    private final Sheaf sheaf;
     private final PixelSums sums;
     private final Spans spans;
     private Level[] block = {};
@@ -38,6 +40,7 @@ abstract class BlockTracer extends Shading {
         this.bodies = scene.bodies();
         this.sampling = sampling;
         this.cameraRays = new CameraRays(scene, sampling, sampler);
+        this.sheaf = bodies.newSheaf();
         this.sums = sampling.newSums();
     }
 
@@ -125,17 +128,25 @@ abstract class BlockTracer extends Shading {
     private void trace(Eye eye, int x, int y, int width, int height, int sample, int perPixel, Level[] first) {
         int rays = width * height * perPixel;
         int reach = sampling.reach();
-        Entries among = bodies.whole();
-        if (eye.bundle(bundle, x - reach, y - reach, width + 2 * reach, height + 2 * reach)) {
-            bodies.enter(bundle, entries);
-            among = entries;
-        }
         cameraRays.from(eye);
         boolean areAimed = cameraRays.aim(first, eye, x, y, width, height, sample, perPixel);
-        for (int i = 0; i < rays; i++) {
-            if (areAimed) {
+        if (areAimed) {
+            sheaf.start(rays);
+            for (int i = 0; i < rays; i++) {
                 cameraRays.start(first[i], eye, i);
+                sheaf.add(first[i].ray);
             }
+        }
+        Entries among = bodies.whole();
+        if (eye.bundle(bundle, x - reach, y - reach, width + 2 * reach, height + 2 * reach)) {
+            if (areAimed && bundle.hasFrustum()) {
+                bodies.enter(bundle, entries, sheaf);
+            } else {
+                bodies.enter(bundle, entries);
+            }
+            among = entries;
+        }
+        for (int i = 0; i < rays; i++) {
             if (!first[i].ray.isBlind()) {
                 intersector.find(first[i], among);
             }

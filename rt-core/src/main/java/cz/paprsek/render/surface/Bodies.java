@@ -5,6 +5,7 @@ import cz.paprsek.render.hull.Hull;
 import cz.paprsek.render.hull.Walls;
 import cz.paprsek.shape.placed.Balls;
 import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Sheaf;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.shape.placed.Volume;
@@ -163,6 +164,16 @@ public final class Bodies {
         tree.enter(bundle, entries);
     }
 
+    /** The same of a bundle with a frustum, whose rays are in a sheaf: much is met by all of them at once, and need not be looked for any more. */
+    public void enter(Bundle bundle, Entries entries, Sheaf sheaf) {
+        if (beside == null && balls.areMost) {
+            sheaf.bind(bundle.frustum());
+            tree.enter(bundle, entries, sheaf);
+        } else {
+            tree.enter(bundle, entries);
+        }
+    }
+
     /** Whether a search of these subtrees can find nothing at all. */
     public boolean isClear(Entries entries) {
         return entries.isEmpty() && endless.length == 0 && hull.isNone() && beside == null;
@@ -182,6 +193,11 @@ public final class Bodies {
     /** The scratch that one worker needs to look for bodies. */
     public Finder newFinder() {
         return newFinder(opaque, beside == null ? null : beside.newFinder());
+    }
+
+    /** The scratch that one worker needs to meet bodies with many rays at once. */
+    public Sheaf newSheaf() {
+        return new Sheaf(surfaces, balls);
     }
 
     /** The scratch that one worker needs to gather {@link #crossings}. */

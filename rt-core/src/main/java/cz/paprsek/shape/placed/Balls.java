@@ -67,6 +67,22 @@ public final class Balls {
         return Math.PI * into[at + 3] < CLEARLY * 0.5 * (x * y + y * z + z * x);
     }
 
+    /** Whether there is a ball around each of a row. */
+    boolean haveAll(int first, int end) {
+        for (int i = first; i < end; i++) {
+            if (values[4 * i + 3] == Double.POSITIVE_INFINITY) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Meets a surface with those rays of a sheaf that may meet it. */
+    void nearest(Surface surface, int number, Sheaf sheaf) {
+        int at = 4 * number;
+        sheaf.nearest(surface, values[at], values[at + 1], values[at + 2], values[at + 3]);
+    }
+
     /** Whether the line of the ray may meet a surface; for a ball by the very arithmetic by which it is met. */
     public boolean mayBeMet(int surface, Ray ray) {
         return values.length == 0

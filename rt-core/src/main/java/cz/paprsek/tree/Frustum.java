@@ -1,0 +1,158 @@
+package cz.paprsek.tree;
+
+import java.util.Arrays;
+
+/**
+ * Scratch of one worker: what lies between four planes through one point, from which lines start that stay within them. Tells which boxes and balls
+ * none of them can meet: more exactly, and sooner, than intervals of directions do.
+ */
+public final class Frustum {
+    private static final int SIDES = 4;
+    /** More than rounding does, relative to the numbers it is done to: in doubles, to normals as well, and in floats. */
+    private static final double ROUNDING = 1e-10;
+    private static final double ROUNDING_OF_FLOATS = 1e-6;
+    /** Neighbouring corners with a smaller angle in between, in radians, have no plane worth having. */
+    private static final double NARROW = 1e-5;
+    /** From farther away, in the space of a tree, floats tell nothing. */
+    private static final double FAR = 1e30;
+
+    private double ox;
+    private double oy;
+    private double oz;
+    private double size;
+    /** The normals of the sides, of length 1, inwards. */
+    private final double[] nx = new double[SIDES];
+    private final double[] ny = new double[SIDES];
+    private final double[] nz = new double[SIDES];
+    /** A direction in the middle, of length 1. */
+    private double axisX;
+    private double axisY;
+    private double axisZ;
+
+    /** The sides in the space of a tree, and where in a node the numbers begin of the corners of boxes that lie farthest inwards. */
+    final float[] x = new float[SIDES];
+    final float[] y = new float[SIDES];
+    final float[] z = new float[SIDES];
+    final float[] w = new float[SIDES];
+    final int[] atX = new int[SIDES];
+    final int[] atY = new int[SIDES];
+    final int[] atZ = new int[SIDES];
+    /** The axis, and where the corners begin that are the first along it. */
+    private double alongX;
+    private double alongY;
+    private double alongZ;
+    private double along;
+    private int firstX;
+    private int firstY;
+    private int firstZ;
+
+    /** Where the boxes begin that are to be visited, the nearest on top, and a t for each before which no line meets it. */
+    int[] box = {};
+    double[] near = {};
+
+    /**
+     * Puts it around all between four directions.
+     *
+     * @param corners x y z of each, of any length, one beside the other round about
+     * @return false if they are too near to each other
+     */
+    boolean start(double px, double py, double pz, double[] corners) {
+        ox = px;
+        oy = py;
+        oz = pz;
+        size = Math.abs(px) + Math.abs(py) + Math.abs(pz);
+        double sumX = corners[0] + corners[3] + corners[6] + corners[9];
+        double sumY = corners[1] + corners[4] + corners[7] + corners[10];
+        double sumZ = corners[2] + corners[5] + corners[8] + corners[11];
+        double k = 1 / Math.sqrt(sumX * sumX + sumY * sumY + sumZ * sumZ);
+        axisX = k * sumX;
+        axisY = k * sumY;
+        axisZ = k * sumZ;
+        boolean isWide = true;
+        for (int i = 0; i < SIDES; i++) {
+            int a = 3 * i;
+            int b = 3 * ((i + 1) % SIDES);
+            double crossX = corners[a + 1] * corners[b + 2] - corners[a + 2] * corners[b + 1];
+            double crossY = corners[a + 2] * corners[b] - corners[a] * corners[b + 2];
+            double crossZ = corners[a] * corners[b + 1] - corners[a + 1] * corners[b];
+            double length = Math.sqrt(crossX * crossX + crossY * crossY + crossZ * crossZ);
+            double inwards = crossX * axisX + crossY * axisY + crossZ * axisZ;
+            isWide &= length * length > NARROW * NARROW * squared(corners, a) * squared(corners, b) && Math.abs(inwards) > NARROW * length;
+            double unit = (inwards < 0 ? -1 : 1) / length;
+            nx[i] = unit * crossX;
+            ny[i] = unit * crossY;
+            nz[i] = unit * crossZ;
+        }
+        return isWide;
+    }
+
+    private static double squared(double[] corners, int at) {
+        return corners[at] * corners[at] + corners[at + 1] * corners[at + 1] + corners[at + 2] * corners[at + 2];
+    }
+
+    /** Whether it reaches into a ball of a squared radius, or nearly. */
+    public boolean meetsBall(double x, double y, double z, double r2) {
+        double lx = x - ox;
+        double ly = y - oy;
+        double lz = z - oz;
+        double least = Math.min(Math.min(nx[0] * lx + ny[0] * ly + nz[0] * lz, nx[1] * lx + ny[1] * ly + nz[1] * lz),
+                Math.min(nx[2] * lx + ny[2] * ly + nz[2] * lz, nx[3] * lx + ny[3] * ly + nz[3] * lz));
+        return !(least < -Math.sqrt(r2) - ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z) + size));
+    }
+
+    /**
+     * Makes ready to ask about boxes of a tree.
+     *
+     * @param upper after so many numbers the upper ends of an axis begin; a third of that is from one axis to the next
+     * @return false if they are to be asked about otherwise
+     */
+    boolean aim(WideNodes nodes, int upper) {
+        double unit = 1 / nodes.scale;
+        double mx = (nodes.centreX - ox) * nodes.scale;
+        double my = (nodes.centreY - oy) * nodes.scale;
+        double mz = (nodes.centreZ - oz) * nodes.scale;
+        double far = Math.abs(mx) + Math.abs(my) + Math.abs(mz);
+        if (!(far < FAR)) {
+            return false;
+        }
+        for (int i = 0; i < SIDES; i++) {
+            x[i] = (float) nx[i];
+            y[i] = (float) ny[i];
+            z[i] = (float) nz[i];
+            w[i] = (float) (nx[i] * mx + ny[i] * my + nz[i] * mz + ROUNDING_OF_FLOATS * (4 + far));
+            atX[i] = nx[i] > 0 ? upper : 0;
+            atY[i] = upper / 3 + (ny[i] > 0 ? upper : 0);
+            atZ[i] = upper / 3 * 2 + (nz[i] > 0 ? upper : 0);
+        }
+        firstX = axisX > 0 ? 0 : upper;
+        firstY = upper / 3 + (axisY > 0 ? 0 : upper);
+        firstZ = upper / 3 * 2 + (axisZ > 0 ? 0 : upper);
+        alongX = axisX * unit;
+        alongY = axisY * unit;
+        alongZ = axisZ * unit;
+        along = (axisX * mx + axisY * my + axisZ * mz - ROUNDING * (4 + far)) * unit;
+        int most = nodes.mostToVisit();
+        if (box.length < most) {
+            box = Arrays.copyOf(box, most);
+            near = Arrays.copyOf(near, most);
+        }
+        return true;
+    }
+
+    /**
+     * Puts a box that it reaches into upon those to be visited, from a place on, so that the nearest stay on top.
+     *
+     * @param top how many there are
+     */
+    void push(float[] data, int at, int from, int top) {
+        // As long as the way to it along the axis, no way is.
+        double distance = alongX * data[at + firstX] + alongY * data[at + firstY] + alongZ * data[at + firstZ] + along;
+        int place = top;
+        for (; place > from && near[place - 1] < distance; place--) {
+            near[place] = near[place - 1];
+            box[place] = box[place - 1];
+        }
+        near[place] = distance;
+        box[place] = at;
+    }
+}
