@@ -17,9 +17,14 @@ final class Facets {
     private static final float COST = 2;
 
     final double[] places;
-    /** In the order of the tree's leaves: the corners of each triangle, as where their coordinates begin, and its number. */
+    /** In the order of the tree's leaves: the corners of each triangle, as where their coordinates begin, and its number. No corners if there are {@link #own}. */
     final int[] corners;
     final int[] numbers;
+    /**
+     * In the order of the tree's leaves: x y z of the three corners of each triangle, where all coordinates are floats, as in most files; else empty. A ray that
+     * goes where none has been before waits for memory once a leaf, rather than for the corners and then for their places.
+     */
+    final float[] own;
     final Tree tree;
     /** The box around all, grown likewise. */
     final Bounds box;
@@ -37,10 +42,19 @@ final class Facets {
         Arrays.fill(cost, COST);
         // Building puts the numbers into the order of the leaves.
         tree = new TreeBuilder((t, to, at) -> putBox(vertices, t, margin, to, at), numbers, cost, stop).build();
-        corners = new int[3 * count];
+        boolean areFloats = Arrays.stream(places).allMatch(x -> x == (float) x);
+        own = new float[areFloats ? 9 * count : 0];
+        corners = new int[areFloats ? 0 : 3 * count];
         for (int i = 0; i < count; i++) {
             for (int k = 0; k < 3; k++) {
-                corners[3 * i + k] = 3 * vertices[3 * numbers[i] + k];
+                int at = 3 * vertices[3 * numbers[i] + k];
+                if (areFloats) {
+                    for (int axis = 0; axis < 3; axis++) {
+                        own[9 * i + 3 * k + axis] = (float) places[at + axis];
+                    }
+                } else {
+                    corners[3 * i + k] = at;
+                }
             }
         }
     }

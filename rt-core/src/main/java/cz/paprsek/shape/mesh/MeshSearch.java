@@ -59,6 +59,8 @@ final class MeshSearch extends Search<Ray> {
     private int sides;
     private double near;
     private int passed;
+    /** Whether the triangle that was crossed last was met from in front. */
+    private boolean crossedFront;
     /** The nearest one: of those in one place that of the lowest triangle. */
     private double best;
     private int bestNumber;
@@ -230,13 +232,11 @@ final class MeshSearch extends Search<Ray> {
         return !all && bestNumber != NONE;
     }
 
-    /**
-     * Notes where the line crosses triangles, by their places in the tree. Most are passed by, which the signs of three products tell
-     * at once: a branch for each of them would often be taken against expectation, and costs more than the products do.
-     */
+    /** Notes where the line crosses triangles, by their places in the tree. What is known of the line is handed on: fields would be read for each triangle, which takes a sixth longer. */
     private void cross(int first, int last) {
-        double[] at = facets.places;
+        float[] own = facets.own;
         int[] corners = facets.corners;
+        double[] at = facets.places;
         int x = kx;
         int y = ky;
         int z = kz;
@@ -245,33 +245,55 @@ final class MeshSearch extends Search<Ray> {
         double px = atX;
         double py = atY;
         double pz = atZ;
+        if (own.length > 0) {
+            for (int i = first; i < last; i++) {
+                int a = 9 * i;
+                int b = a + 3;
+                int c = a + 6;
+                note(i, crossing(own[a + x], own[a + y], own[a + z], own[b + x], own[b + y], own[b + z], own[c + x], own[c + y], own[c + z], px, py, pz, sx, sy));
+            }
+            return;
+        }
         for (int i = first; i < last; i++) {
             int a = corners[3 * i];
             int b = corners[3 * i + 1];
             int c = corners[3 * i + 2];
-            double az = at[a + z] - pz;
-            double bz = at[b + z] - pz;
-            double cz = at[c + z] - pz;
-            double ax = at[a + x] - px - sx * az;
-            double ay = at[a + y] - py - sy * az;
-            double bx = at[b + x] - px - sx * bz;
-            double by = at[b + y] - py - sy * bz;
-            double cx = at[c + x] - px - sx * cz;
-            double cy = at[c + y] - py - sy * cz;
-            double u = cx * by - cy * bx;
-            double v = ax * cy - ay * cx;
-            double w = bx * ay - by * ax;
-            if (haveSeveralSigns(u, v, w) && u != 0 && v != 0 && w != 0) {
-                continue;
-            }
-            if ((u == 0 || v == 0 || w == 0) && !isCrossedAside(u, v, w, ax, ay, bx, by, cx, cy)) {
-                continue;
-            }
-            double sum = u + v + w;
-            double where = (u * az + v * bz + w * cz) * shearZ / sum;
-            if (where > above && where < below) {
-                note(where, facets.numbers[i], sum > 0);
-            }
+            note(i, crossing(at[a + x], at[a + y], at[a + z], at[b + x], at[b + y], at[b + z], at[c + x], at[c + y], at[c + z], px, py, pz, sx, sy));
+        }
+    }
+
+    /**
+     * Where the line crosses a triangle, or no number. Most are passed by, which the signs of three products tell
+     * at once: a branch for each of them would often be taken against expectation, and costs more than the products do.
+     */
+    private double crossing(double atAx, double atAy, double atAz, double atBx, double atBy, double atBz, double atCx, double atCy, double atCz,
+            double px, double py, double pz, double sx, double sy) {
+        double az = atAz - pz;
+        double bz = atBz - pz;
+        double cz = atCz - pz;
+        double ax = atAx - px - sx * az;
+        double ay = atAy - py - sy * az;
+        double bx = atBx - px - sx * bz;
+        double by = atBy - py - sy * bz;
+        double cx = atCx - px - sx * cz;
+        double cy = atCy - py - sy * cz;
+        double u = cx * by - cy * bx;
+        double v = ax * cy - ay * cx;
+        double w = bx * ay - by * ax;
+        if (haveSeveralSigns(u, v, w) && u != 0 && v != 0 && w != 0) {
+            return Double.NaN;
+        }
+        if ((u == 0 || v == 0 || w == 0) && !isCrossedAside(u, v, w, ax, ay, bx, by, cx, cy)) {
+            return Double.NaN;
+        }
+        double sum = u + v + w;
+        crossedFront = sum > 0;
+        return (u * az + v * bz + w * cz) * shearZ / sum;
+    }
+
+    private void note(int place, double where) {
+        if (where > above && where < below) {
+            note(where, facets.numbers[place], crossedFront);
         }
     }
 

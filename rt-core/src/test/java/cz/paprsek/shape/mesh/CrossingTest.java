@@ -111,6 +111,41 @@ class CrossingTest {
         }
     }
 
+    /** Corners that are floats stand once more by triangle: what lines meet is the same as where one that no triangle has is none. */
+    @Test
+    void cornersThatAreFloatsAreMetAsOthers() {
+        Triangles ball = Meshes.ball(1, 24);
+        int[] corners = new int[3 * ball.count()];
+        double[] places = new double[9 * ball.count() + 3];
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] = i;
+            Vec3 at = ball.place(ball.corner(i / 3, i % 3));
+            places[3 * i] = (float) at.x();
+            places[3 * i + 1] = (float) at.y();
+            places[3 * i + 2] = (float) at.z();
+        }
+        Volume floats = place(Triangles.of(places, corners), Affine.IDENTITY);
+        places[places.length - 1] = 0.1;
+        Volume doubles = place(Triangles.of(places, corners), Affine.IDENTITY);
+        SplittableRandom random = new SplittableRandom(3);
+        Ray ray = new Ray(new Spans());
+        Ray other = new Ray(new Spans());
+        int hits = 0;
+        for (int n = 0; n < 100_000; n++) {
+            Vec3 o = new Vec3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5).times(4);
+            Vec3 d = new Vec3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5).normalized();
+            ray.start(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+            floats.nearest(ray);
+            other.start(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+            doubles.nearest(other);
+            assertThat(other.part).isEqualTo(ray.part);
+            assertThat(other.face).isEqualTo(ray.face);
+            assertThat(other.max).isEqualTo(ray.max);
+            hits += ray.part >= 0 ? 1 : 0;
+        }
+        assertThat(hits).isGreaterThan(10_000);
+    }
+
     @Test
     void whatOverlapsIsOneBodyAndHollowsAreHollow() {
         Volume two = place(Meshes.both(Meshes.cube(1), Meshes.cube(1), 1.2, false), Affine.IDENTITY);
