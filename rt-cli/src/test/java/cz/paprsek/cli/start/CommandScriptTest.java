@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
@@ -24,6 +25,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The command line's: the archive is made in the background, by a second call of Java. */
@@ -139,6 +141,37 @@ class CommandScriptTest extends StartScript {
         Path archive = onlyArchive();
         call("info");
         assertThat(Files.readString(log)).contains("call -XX:SharedArchiveFile=" + archive).containsOnlyOnce("training");
+    }
+
+    /** Compiling well takes longer than it saves for one ray in each of a million pixels. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '\u0000', nullValues = "-", value = {
+            "true  | <sphere/>                                             | -o p.png -q",
+            "true  | <sphere/>                                             | --size 1000x1000 --threads 1",
+            "false | <sphere/>                                             | --size=1001x1000",
+            "false | <sphere/>                                             | --samples 2",
+            "false | <sphere/>                                             | --mode nodes",
+            "false | <sphere/>                                             | --size 1e3x9",
+            "true  | <render width=\"1280\" height=\"720\"/><sphere/>        | -q",
+            "false | <render height=\"1280\" width=\"820\"/><sphere/>        | -q",
+            "true  | <render height=\"1280\" width=\"820\"/><sphere/>        | --size 9x9",
+            "true  | <render samples=\"1\"/><sphere/>                       | -q",
+            "false | <render samples=\"16\"/><sphere/>                      | -q",
+            "false | <render samples=\"1..4\"/><sphere/>                    | -q",
+            "false | <render samples=\"{n}\"/><sphere/>                     | -q",
+            "false | <render integrator=\"path\"/><sphere/>                 | -q",
+            "false | <mesh file=\"m.stl\"/>                                 | -q",
+            "false | <repeat count=\"9\"><sphere/></repeat>                 | -q",
+            "false | <area-light position=\"1 2 3\"/><sphere/>              | -q"})
+    void aShortCallIsCompiledQuickly(boolean isQuick, String content, String words) throws Exception {
+        Path scene = Files.writeString(folder.resolve("s.xml"), "<scene xmlns='urn:paprsek:scene:1'>" + content + "</scene>");
+        List<String> all = new ArrayList<>(List.of("render", scene.toString()));
+        all.addAll(List.of(words.strip().split(" ")));
+        assertThat(call(all.toArray(String[]::new))).isEqualTo(7);
+        assertThat(Files.readString(log).contains("call -XX:TieredStopAtLevel=1 -XX:MaxGCPauseMillis=50")).isEqualTo(isQuick);
+        assertThat(call("render", scene.toString(), folder.resolve("s.xml").toString())).isEqualTo(7);
+        assertThat(Files.readAllLines(log)).last().asString().isEqualTo("call ends");
+        assertThat(Files.readAllLines(log).get(Files.readAllLines(log).size() - 2)).as("two pictures").doesNotContain("TieredStopAtLevel");
     }
 
     @Test
