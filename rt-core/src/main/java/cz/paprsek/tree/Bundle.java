@@ -35,6 +35,7 @@ public final class Bundle {
     /** Around all its lines, if they have no end and it is known. */
     private final Frustum frustum = new Frustum();
     private boolean hasFrustum;
+    private int corners;
 
     /** Starts an empty bundle from a point; its lines have no end. */
     public void start(double x, double y, double z) {
@@ -51,6 +52,7 @@ public final class Bundle {
         toZ = maxZ;
         end = Double.POSITIVE_INFINITY;
         hasFrustum = false;
+        corners = 0;
         lowX = Double.POSITIVE_INFINITY;
         lowY = Double.POSITIVE_INFINITY;
         lowZ = Double.POSITIVE_INFINITY;
@@ -75,16 +77,13 @@ public final class Bundle {
         return Math.max(Math.abs(lowX), Math.abs(highX)) + Math.max(Math.abs(lowY), Math.abs(highY)) + Math.max(Math.abs(lowZ), Math.abs(highZ));
     }
 
-    /**
-     * Adds all directions between four of them.
-     *
-     * @param corners x y z of each, of any length, one beside the other round about
-     */
-    public void addBetween(double[] corners) {
-        for (int i = 0; i < corners.length; i += 3) {
-            add(corners[i], corners[i + 1], corners[i + 2]);
+    /** Adds the next of four directions, one beside the other round about, and all between them. */
+    public void addCorner(double dx, double dy, double dz) {
+        add(dx, dy, dz);
+        frustum.corner(corners++, dx, dy, dz);
+        if (corners == Frustum.SIDES) {
+            hasFrustum = frustum.close(fromX, fromY, fromZ);
         }
-        hasFrustum = frustum.start(fromX, fromY, fromZ, corners);
     }
 
     /** Whether it has no lines but those that have been added between four. */

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * none of them can meet: more exactly, and sooner, than intervals of directions do.
  */
 public final class Frustum {
-    private static final int SIDES = 4;
+    static final int SIDES = 4;
     /** More than rounding does, relative to the numbers it is done to: in doubles, to normals as well, and in floats. */
     private static final double ROUNDING = 1e-10;
     private static final double ROUNDING_OF_FLOATS = 1e-6;
@@ -16,6 +16,8 @@ public final class Frustum {
     /** From farther away, in the space of a tree, floats tell nothing. */
     private static final double FAR = 1e30;
 
+    /** x y z of the directions between which it is. */
+    private final double[] corners = new double[3 * SIDES];
     private double ox;
     private double oy;
     private double oz;
@@ -50,13 +52,15 @@ public final class Frustum {
     int[] box = {};
     double[] near = {};
 
-    /**
-     * Puts it around all between four directions.
-     *
-     * @param corners x y z of each, of any length, one beside the other round about
-     * @return false if they are too near to each other
-     */
-    boolean start(double px, double py, double pz, double[] corners) {
+    /** Sets one of four directions, of any length. */
+    void corner(int number, double dx, double dy, double dz) {
+        corners[3 * number] = dx;
+        corners[3 * number + 1] = dy;
+        corners[3 * number + 2] = dz;
+    }
+
+    /** Puts it around all lines from a point between its corners; false if they are too near to each other. */
+    boolean close(double px, double py, double pz) {
         ox = px;
         oy = py;
         oz = pz;
@@ -77,7 +81,7 @@ public final class Frustum {
             double crossZ = corners[a] * corners[b + 1] - corners[a + 1] * corners[b];
             double length = Math.sqrt(crossX * crossX + crossY * crossY + crossZ * crossZ);
             double inwards = crossX * axisX + crossY * axisY + crossZ * axisZ;
-            isWide &= length * length > NARROW * NARROW * squared(corners, a) * squared(corners, b) && Math.abs(inwards) > NARROW * length;
+            isWide &= length * length > NARROW * NARROW * squared(a) * squared(b) && Math.abs(inwards) > NARROW * length;
             double unit = (inwards < 0 ? -1 : 1) / length;
             nx[i] = unit * crossX;
             ny[i] = unit * crossY;
@@ -86,7 +90,7 @@ public final class Frustum {
         return isWide;
     }
 
-    private static double squared(double[] corners, int at) {
+    private double squared(int at) {
         return corners[at] * corners[at] + corners[at + 1] * corners[at + 1] + corners[at + 2] * corners[at + 2];
     }
 

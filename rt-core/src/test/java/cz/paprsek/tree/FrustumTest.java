@@ -25,7 +25,7 @@ class FrustumTest {
             double k = off / length(aside);
             Bundle bundle = new Bundle();
             bundle.start(origin[0], origin[1], origin[2]);
-            bundle.addBetween(corners);
+            addAll(bundle, corners);
             boolean meets = bundle.frustum().meetsBall(origin[0] + t * d[0] + k * aside[0], origin[1] + t * d[1] + k * aside[1],
                     origin[2] + t * d[2] + k * aside[2], radius * radius);
             assertThat(meets || off > radius).as("round %d", round).isTrue();
@@ -42,7 +42,7 @@ class FrustumTest {
             double[] corners = corners(random, Math.pow(10, -4 * random.nextDouble()));
             Bundle bundle = new Bundle();
             bundle.start(0.1, 0.2, -0.3);
-            bundle.addBetween(corners);
+            addAll(bundle, corners);
             double[] d = between(corners, random);
             double t = random.nextDouble() / length(d);
             double[] boxes = new double[12];
@@ -66,13 +66,19 @@ class FrustumTest {
     void whatIsTooNarrowIsAskedAboutOtherwise() {
         Bundle bundle = new Bundle();
         bundle.start(0, 0, 0);
-        bundle.addBetween(new double[] {0, 0, 1, 1e-7, 0, 1, 1e-7, 1e-7, 1, 0, 1e-7, 1});
+        addAll(bundle, new double[] {0, 0, 1, 1e-7, 0, 1, 1e-7, 1e-7, 1, 0, 1e-7, 1});
         assertThat(bundle.hasFrustum()).isFalse();
         bundle.start(0, 0, 0);
-        bundle.addBetween(new double[] {0, 0, 1, 1e-3, 0, 1, 1e-3, 1e-3, 1, 0, 1e-3, 1});
+        addAll(bundle, new double[] {0, 0, 1, 1e-3, 0, 1, 1e-3, 1e-3, 1, 0, 1e-3, 1});
         assertThat(bundle.hasFrustum()).isTrue();
         bundle.start(0, 0, 0);
         assertThat(bundle.hasFrustum()).isFalse();
+    }
+
+    private static void addAll(Bundle bundle, double[] corners) {
+        for (int i = 0; i < corners.length; i += 3) {
+            bundle.addCorner(corners[i], corners[i + 1], corners[i + 2]);
+        }
     }
 
     /** Those of a rectangle somewhere in front. */

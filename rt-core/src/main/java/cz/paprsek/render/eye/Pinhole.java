@@ -54,16 +54,12 @@ class Pinhole extends Eye {
 
     @Override
     public boolean bundle(Bundle bundle, int left, int top, int columns, int rows) {
-        double[] corners = new double[12];
+        bundle.start(position.x(), position.y(), position.z());
         for (int corner = 0; corner < 4; corner++) {
             int x = left + (corner + 1) / 2 % 2 * columns;
             int y = top + corner / 2 * rows;
-            corners[3 * corner] = directionX(x, y);
-            corners[3 * corner + 1] = directionY(x, y);
-            corners[3 * corner + 2] = directionZ(x, y);
+            bundle.addCorner(directionX(x, y), directionY(x, y), directionZ(x, y));
         }
-        bundle.start(position.x(), position.y(), position.z());
-        bundle.addBetween(corners);
         return true;
     }
 
