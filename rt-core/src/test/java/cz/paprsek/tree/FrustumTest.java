@@ -34,7 +34,7 @@ class FrustumTest {
         assertThat(leftOut).as("balls beside it").isGreaterThan(ROUNDS / 20);
     }
 
-    /** A point of a box that lies on a line makes that the line meets it, no sooner than it is put upon the others. */
+    /** If a point of a box lies on a line, the line meets it, no sooner than where the box is put among the others. */
     @Test
     void noBoxIsPutLaterThanALineMeetsIt() {
         Random random = new Random(2);
@@ -56,6 +56,9 @@ class FrustumTest {
             WideNodes nodes = new WideNodes(new BinaryNodes(boxes, new int[] {Tree.leaf(0, 1, 9), Tree.leaf(1, 1, 9)}, 0, 2, i -> 9, () -> false), 8);
             assertThat(bundle.frustum().aim(nodes, 3 * 8)).isTrue();
             int slot = WideNodes.FIRST + (Float.floatToRawIntBits(nodes.data[WideNodes.FIRST + 48]) == Tree.leaf(0, 1, 9) ? 0 : 1);
+            for (int side = 0; side < Frustum.SIDES; side++) {
+                assertThat(inside(bundle.frustum(), side, nodes.data, slot)).as("round %d", round).isNotNegative();
+            }
             bundle.frustum().push(nodes.data, slot, 0, 0);
             assertThat(bundle.frustum().near[0]).as("round %d", round).isLessThanOrEqualTo(t * length(d));
         }
@@ -73,6 +76,12 @@ class FrustumTest {
         assertThat(bundle.hasFrustum()).isTrue();
         bundle.start(0, 0, 0);
         assertThat(bundle.hasFrustum()).isFalse();
+    }
+
+    /** How far inside a side a box reaches, in floats as vectors reckon. */
+    private static float inside(Frustum frustum, int side, float[] data, int at) {
+        return data[at + frustum.atX[side]] * frustum.x[side] + data[at + frustum.atY[side]] * frustum.y[side] + data[at + frustum.atZ[side]] * frustum.z[side]
+                + frustum.w[side];
     }
 
     private static void addAll(Bundle bundle, double[] corners) {
