@@ -84,10 +84,13 @@ public record Cone(
     private static final class Placed extends LocalConvex {
         private static final int SIDE = 0;
         private static final int BOTTOM = 1;
+        /** By more than so much the radius changes for each step upwards in a cone that is flat. */
+        private static final double FLAT = 1e3;
 
         private final double radius;
         private final double topRadius;
         private final double slope;
+        private final boolean isFlat;
         private final double height;
 
         Placed(int part, Affine toWorld, Cone shape) {
@@ -95,6 +98,7 @@ public record Cone(
             radius = shape.radius;
             topRadius = shape.topRadius;
             slope = (shape.topRadius - shape.radius) / shape.height;
+            isFlat = Math.abs(slope) > FLAT;
             height = shape.height;
         }
 
@@ -107,6 +111,10 @@ public record Cone(
             // From the point of the line nearest to the cone: the squares of large numbers would lose a small cone far away.
             double dd = line.dx * line.dx + line.dz * line.dz;
             double near = -(line.ox * line.dx + (line.oy - height / 2) * line.dy + line.oz * line.dz) / (dd + line.dy * line.dy);
+            if (isFlat) {
+                // Beyond the caps the endless cone is so wide that nothing is left of this one.
+                near = Math.max(ray.enter, Math.min(ray.leave, near));
+            }
             double x = line.ox + near * line.dx;
             double z = line.oz + near * line.dz;
             double w = radius + slope * (line.oy + near * line.dy);

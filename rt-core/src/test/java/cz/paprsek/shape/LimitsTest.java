@@ -89,6 +89,28 @@ class LimitsTest {
         assertThat(met).isGreaterThan(3000);
     }
 
+    /** Next to no height: met where its rim goes around, and nowhere else, pointed or not, also upside down. */
+    @ParameterizedTest
+    @CsvSource({"1, 0, 1e-3", "1, 0, 1e-7", "1, 0.5, 1e-8", "0, 1, 1e-9", "0.3, 1, 1e-12", "1, 0, 1e-12"})
+    void aConeOfNoHeightIsADisc(double radius, double topRadius, double height) {
+        Volume cone = new Cone(radius, topRadius, height).place(Affine.IDENTITY, new TestParts());
+        Random random = new Random(4);
+        int met = 0;
+        for (int i = 0; i < 10_000; i++) {
+            Vec3 from = direction(random).times(4);
+            Vec3 to = new Vec3(3 * random.nextDouble() - 1.5, 0, 3 * random.nextDouble() - 1.5);
+            Vec3 d = to.minus(from).normalized();
+            Spans spans = spans(cone, from, d);
+            // So far aside a line gets between the caps, and a rounded one more.
+            double aside = 2 * height / Math.abs(d.y()) + 4e-15 / height;
+            if (Math.abs(to.length() - 1) > aside) {
+                assertThat(spans.size()).isEqualTo(to.length() < 1 ? 2 : 0);
+                met += spans.size() / 2;
+            }
+        }
+        assertThat(met).isGreaterThan(3000);
+    }
+
     /** Chords of a fine grid of rays, added up: the volume; those that meet it, counted: the silhouette. */
     @ParameterizedTest
     @CsvSource({
