@@ -32,8 +32,8 @@ class WorkTest {
                 Arguments.of("few", StandardScenes.few(), 10_717, 28_590, 34_770),
                 Arguments.of("flake4", StandardScenes.flake(4), 7727, 41_067, 279_257),
                 Arguments.of("cloud100k", StandardScenes.cloud(100_000), 0, 5514, 235_214),
-                Arguments.of("csg1000", StandardScenes.carved(1000), 0, 12_188, 209_638),
-                Arguments.of("csgn1000", StandardScenes.pierced(1000), 0, 11_763, 140_894),
+                Arguments.of("csg1000", StandardScenes.carved(1000), 0, 12_188, 144_321),
+                Arguments.of("csgn1000", StandardScenes.pierced(1000), 0, 11_763, 128_598),
                 Arguments.of("chain100", StandardScenes.chain(100), 0, 441, 14_512));
     }
 

@@ -127,25 +127,7 @@ abstract class BlockTracer extends Shading {
 
     private void trace(Eye eye, int x, int y, int width, int height, int sample, int perPixel, Level[] first) {
         int rays = width * height * perPixel;
-        int reach = sampling.reach();
-        cameraRays.from(eye);
-        boolean areAimed = cameraRays.aim(first, eye, x, y, width, height, sample, perPixel);
-        if (areAimed) {
-            sheaf.start(rays);
-            for (int i = 0; i < rays; i++) {
-                cameraRays.start(first[i], eye, i);
-                sheaf.add(first[i].ray);
-            }
-        }
-        Entries among = bodies.whole();
-        if (eye.bundle(bundle, x - reach, y - reach, width + 2 * reach, height + 2 * reach)) {
-            if (areAimed && bundle.hasFrustum()) {
-                bodies.enter(bundle, entries, sheaf);
-            } else {
-                bodies.enter(bundle, entries);
-            }
-            among = entries;
-        }
+        Entries among = start(eye, x, y, width, height, sample, perPixel, first);
         for (int i = 0; i < rays; i++) {
             if (!first[i].ray.isBlind()) {
                 intersector.find(first[i], among);
@@ -161,6 +143,30 @@ abstract class BlockTracer extends Shading {
             }
             shade(first[i], 0);
         }
+    }
+
+    /** Starts the rays, and finds where to look for what they meet and have not met yet. */
+    private Entries start(Eye eye, int x, int y, int width, int height, int sample, int perPixel, Level[] first) {
+        int rays = width * height * perPixel;
+        int reach = sampling.reach();
+        cameraRays.from(eye);
+        boolean areAimed = cameraRays.aim(first, eye, x, y, width, height, sample, perPixel);
+        if (areAimed) {
+            sheaf.start(rays);
+            for (int i = 0; i < rays; i++) {
+                cameraRays.start(first[i], eye, i);
+                sheaf.add(first[i].ray);
+            }
+        }
+        if (!eye.bundle(bundle, x - reach, y - reach, width + 2 * reach, height + 2 * reach)) {
+            return bodies.whole();
+        }
+        if (areAimed && bundle.hasFrustum()) {
+            bodies.enter(bundle, entries, sheaf);
+        } else {
+            bodies.enter(bundle, entries);
+        }
+        return entries;
     }
 
     /** The same, or more if there are too few. */

@@ -67,6 +67,11 @@ public final class Balls {
         return Math.PI * into[at + 3] < CLEARLY * 0.5 * (x * y + y * z + z * x);
     }
 
+    /** Whether there is a ball around any of the surfaces. */
+    public boolean areAny() {
+        return values.length > 0;
+    }
+
     /** Whether there is a ball around each of a row. */
     boolean haveAll(int first, int end) {
         for (int i = first; i < end; i++) {
