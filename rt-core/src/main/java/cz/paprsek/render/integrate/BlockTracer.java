@@ -151,17 +151,22 @@ abstract class BlockTracer extends Shading {
         int reach = sampling.reach();
         cameraRays.from(eye);
         boolean areAimed = cameraRays.aim(first, eye, x, y, width, height, sample, perPixel);
-        if (areAimed) {
+        boolean isSheafOfUse = areAimed && sheaf.isOfUse();
+        if (isSheafOfUse) {
             sheaf.start(rays);
             for (int i = 0; i < rays; i++) {
                 cameraRays.start(first[i], eye, i);
                 sheaf.add(first[i].ray);
             }
+        } else if (areAimed) {
+            for (int i = 0; i < rays; i++) {
+                cameraRays.start(first[i], eye, i);
+            }
         }
         if (!eye.bundle(bundle, x - reach, y - reach, width + 2 * reach, height + 2 * reach)) {
             return bodies.whole();
         }
-        if (areAimed && bundle.hasFrustum()) {
+        if (isSheafOfUse && bundle.hasFrustum()) {
             bodies.enter(bundle, entries, sheaf);
         } else {
             bodies.enter(bundle, entries);

@@ -166,7 +166,7 @@ public final class Bodies {
 
     /** The same of a bundle with a frustum, whose rays are in a sheaf: much is met by all of them at once, and need not be looked for any more. */
     public void enter(Bundle bundle, Entries entries, Sheaf sheaf) {
-        if (beside == null && balls.areAny()) {
+        if (beside == null) {
             sheaf.bind(bundle.frustum());
             tree.enter(bundle, entries, sheaf);
         } else {

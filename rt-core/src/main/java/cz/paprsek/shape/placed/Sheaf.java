@@ -27,6 +27,11 @@ public final class Sheaf implements Leaves {
         this.balls = balls;
     }
 
+    /** Whether any of the surfaces has a ball around it: if none has, none is met, and no rays need be added. */
+    public boolean isOfUse() {
+        return balls.areAny();
+    }
+
     /** Starts an empty sheaf with room for so many rays. */
     public void start(int most) {
         count = 0;
