@@ -64,6 +64,11 @@ public record Rectangle(
         }
 
         @Override
+        protected boolean isRectangle() {
+            return true;
+        }
+
+        @Override
         protected double u(double x) {
             return (x - shape.minX) / (shape.maxX - shape.minX);
         }

@@ -13,6 +13,7 @@ import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.placed.Flat;
 import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Ray;
@@ -26,6 +27,8 @@ final class Glow {
     /** The number of the light in the scene. */
     final int lamp;
     final Surface surface;
+    /** The same, if it is flat. */
+    private final @Nullable Flat flat;
     private final Part part;
     /** Of the part. */
     private final int number;
@@ -37,6 +40,7 @@ final class Glow {
         this.lamp = lamp;
         this.number = number;
         this.surface = surface;
+        this.flat = surface instanceof Flat one ? one : null;
         this.part = part;
         double k = Math.min(radiance, Lamp.MOST) * light.intensity();
         red = k * light.color().linearRed();
@@ -74,6 +78,9 @@ final class Glow {
 
     /** Makes this light the ray's hit, unless something else is met before, or a later light in the same place. */
     void nearest(Ray ray, int firstPart) {
+        if (flat != null && flat.isApart(ray)) {
+            return;
+        }
         int before = ray.part;
         double max = ray.max;
         boolean isOfLaterLight = before >= firstPart && before > number;

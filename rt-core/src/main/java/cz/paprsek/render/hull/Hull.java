@@ -23,11 +23,13 @@ public final class Hull {
     private static final double FAR = 1000;
     private static final int ALL = 63;
     private static final int SLOTS = 64;
+    /** By how much of their numbers the parts of bodies follow each other, mostly. */
+    private static final int APART = 4;
     /** No walls. */
     public static final Hull NONE = new Hull(new Flat[0], new int[0], new int[0]);
 
     /** By side, 2a at the low end of axis a, 2a + 1 at its high end; where there is none, another one. */
-    private final Flat[] walls;
+    private final Wall[] walls;
     /** By wall: which body it is, and its side. */
     private final int[] order;
     private final int[] sides;
@@ -41,42 +43,56 @@ public final class Hull {
     private final double halfY;
     private final double halfZ;
     private final double size;
-    /** The last bits of the numbers of parts lead to those of walls, and to all sides but that wall's: a ray does not meet again what it starts from. */
-    private final int[] parts = new int[SLOTS];
-    private final int[] others = new int[SLOTS];
+    /** What is known of a ray that starts from a wall, found by the last digits of its part's number; of all others nothing is. */
+    private final Start[] starts = new Start[SLOTS];
+    private final Start anywhere;
 
     private Hull(Flat[] some, int[] order, int[] sides) {
         this.order = order;
         this.sides = sides;
-        walls = new Flat[sides.length == 0 ? 0 : 6];
-        Arrays.fill(parts, -1);
-        Arrays.fill(others, ALL);
+        walls = new Wall[sides.length == 0 ? 0 : 6];
         double largest = 0;
         for (Flat wall : some) {
-            Arrays.fill(walls, wall);
             largest = Math.max(largest, wall.bounds().magnitude());
         }
         double far = FAR * largest;
-        double[] place = {-far, far, -far, far, -far, far};
+        double[] low = {-far, -far, -far};
+        double[] high = {far, far, far};
         int found = 0;
         for (int i = 0; i < sides.length; i++) {
             int side = sides[i];
-            int part = some[i].part();
-            walls[side] = some[i];
-            place[side] = some[i].place();
+            (side % 2 == 0 ? low : high)[side / 2] = some[i].place();
             found |= 1 << side;
-            parts[part & (SLOTS - 1)] = part;
-            others[part & (SLOTS - 1)] = ALL - (1 << side);
         }
         present = found;
         size = largest;
-        middleX = (place[0] + place[1]) / 2;
-        middleY = (place[2] + place[3]) / 2;
-        middleZ = (place[4] + place[5]) / 2;
-        halfX = (place[1] - place[0]) / 2;
-        halfY = (place[3] - place[2]) / 2;
-        halfZ = (place[5] - place[4]) / 2;
+        middleX = (low[0] + high[0]) / 2;
+        middleY = (low[1] + high[1]) / 2;
+        middleZ = (low[2] + high[2]) / 2;
+        halfX = (high[0] - low[0]) / 2;
+        halfY = (high[1] - low[1]) / 2;
+        halfZ = (high[2] - low[2]) / 2;
+        anywhere = new Start(-1, ALL, halfX, halfY, halfZ);
+        Arrays.fill(starts, anywhere);
+        if (sides.length > 0) {
+            Arrays.fill(walls, Wall.none(some[0]));
+        }
+        for (int i = 0; i < sides.length; i++) {
+            int side = sides[i];
+            int part = some[i].part();
+            walls[side] = new Wall(some[i], low, high);
+            starts[slot(part)] = new Start(part, ALL - (1 << side), side / 2 == 0 ? Double.POSITIVE_INFINITY : halfX, side / 2 == 1 ? Double.POSITIVE_INFINITY : halfY,
+                    side / 2 == 2 ? Double.POSITIVE_INFINITY : halfZ);
+        }
     }
+
+    /**
+     * What is known of a ray by what it starts from.
+     *
+     * @param others all sides but that of the wall that it is: a ray does not meet again what it starts from
+     * @param x how far from the middle it may start and be away from all walls but that one
+     */
+    private record Start(int part, int others, double x, double y, double z) {}
 
     /**
      * Of bodies that are walls.
@@ -92,7 +108,7 @@ public final class Hull {
     public Hull only(IntPredicate isKept) {
         int[] kept = IntStream.range(0, order.length).filter(i -> isKept.test(order[i])).toArray();
         return kept.length == order.length ? this
-                : of(Arrays.stream(kept).mapToObj(i -> walls[sides[i]]).toArray(Flat[]::new), Arrays.stream(kept).map(i -> order[i]).toArray(),
+                : of(Arrays.stream(kept).mapToObj(i -> walls[sides[i]].flat).toArray(Flat[]::new), Arrays.stream(kept).map(i -> order[i]).toArray(),
                         Arrays.stream(kept).map(i -> sides[i]).toArray());
     }
 
@@ -108,16 +124,111 @@ public final class Hull {
 
     /** As of a surface. */
     public void nearest(Ray ray) {
-        for (int left = isNone() ? 0 : near(ray, first(exit(ray), ray.reach)); left != 0; left &= left - 1) {
-            walls[Integer.numberOfTrailingZeros(left)].nearest(ray);
+        if (!isNone() && !leaves(ray)) {
+            for (int left = near(ray, first(exit(ray), ray.reach)); left != 0; left &= left - 1) {
+                walls[Integer.numberOfTrailingZeros(left)].flat.nearest(ray);
+            }
         }
+    }
+
+    /**
+     * As {@link #nearest}, of a ray that starts away from all walls but the one that it may start from, and leaves the room away from all but the one through which it leaves. Most do:
+     * then that wall alone is met, and nearly always by its plane alone.
+     *
+     * @return false if it may not be such a ray; then no other wall has been met
+     */
+    private boolean leaves(Ray ray) {
+        double slack = slack(ray);
+        double x = ray.ox - middleX;
+        double y = ray.oy - middleY;
+        double z = ray.oz - middleZ;
+        Start start = start(ray.left);
+        if (!(start.x - Math.abs(x) > slack && start.y - Math.abs(y) > slack && start.z - Math.abs(z) > slack && ray.min >= -slack)) {
+            return false;
+        }
+        double atX = (Math.copySign(halfX, ray.dx) - x) / ray.dx;
+        double atY = (Math.copySign(halfY, ray.dy) - y) / ray.dy;
+        double atZ = (Math.copySign(halfZ, ray.dz) - z) / ray.dz;
+        if (atX < atY && atX < atZ) {
+            Wall wall = walls[1 - isNegative(ray.dx)];
+            double t = t(wall, ray.ox, ray.dx);
+            double p = y + t * ray.dy;
+            double q = z + t * ray.dz;
+            if (isWithin(p, wall.middleY, wall.halfY - slack) && isWithin(q, wall.middleZ, wall.halfZ - slack)) {
+                return meets(ray, wall, t);
+            }
+            return isWithin(p, 0, halfY - slack) && isWithin(q, 0, halfZ - slack) && asks(ray, wall);
+        }
+        if (atY < atZ) {
+            Wall wall = walls[3 - isNegative(ray.dy)];
+            double t = t(wall, ray.oy, ray.dy);
+            double p = x + t * ray.dx;
+            double q = z + t * ray.dz;
+            if (isWithin(p, wall.middleX, wall.halfX - slack) && isWithin(q, wall.middleZ, wall.halfZ - slack)) {
+                return meets(ray, wall, t);
+            }
+            return isWithin(p, 0, halfX - slack) && isWithin(q, 0, halfZ - slack) && asks(ray, wall);
+        }
+        Wall wall = walls[5 - isNegative(ray.dz)];
+        double t = t(wall, ray.oz, ray.dz);
+        double p = x + t * ray.dx;
+        double q = y + t * ray.dy;
+        if (isWithin(p, wall.middleX, wall.halfX - slack) && isWithin(q, wall.middleY, wall.halfY - slack)) {
+            return meets(ray, wall, t);
+        }
+        return isWithin(p, 0, halfX - slack) && isWithin(q, 0, halfY - slack) && asks(ray, wall);
+    }
+
+    /** Where a line crosses the plane of a wall, as it is told by its map. */
+    private static double t(Wall wall, double o, double d) {
+        return -(wall.factor * o + wall.shift) / (wall.factor * d);
+    }
+
+    private static boolean isWithin(double place, double middle, double half) {
+        return Math.abs(place - middle) < half;
+    }
+
+    /** Makes a wall that the ray meets at t its hit, unless it ends before. */
+    private static boolean meets(Ray ray, Wall wall, double t) {
+        if (wall.part == ray.left) {
+            return false;
+        }
+        if (t > ray.min && t < ray.reach) {
+            ray.accept(t, wall.part, 0);
+        }
+        return true;
+    }
+
+    private static boolean asks(Ray ray, Wall wall) {
+        wall.flat.nearest(ray);
+        return wall.part != ray.left;
+    }
+
+    /** Whether a ray starts and ends away from all walls, but for the one it may start from: as most that look for a lamp in the room, so this is asked first. */
+    private boolean isInside(Ray ray) {
+        double slack = slack(ray);
+        double x = ray.ox - middleX;
+        double y = ray.oy - middleY;
+        double z = ray.oz - middleZ;
+        Start start = start(ray.left);
+        return start.x - Math.abs(x) > slack && start.y - Math.abs(y) > slack && start.z - Math.abs(z) > slack && ray.min >= -slack
+                && isWithin(x + ray.max * ray.dx, 0, halfX - slack) && isWithin(y + ray.max * ray.dy, 0, halfY - slack) && isWithin(z + ray.max * ray.dz, 0, halfZ - slack);
+    }
+
+    private Start start(int part) {
+        Start known = starts[slot(part)];
+        return known.part == part ? known : anywhere;
+    }
+
+    private static int slot(int part) {
+        return part >> APART & (SLOTS - 1);
     }
 
     /** The wall that a ray meets between what touches its start and its end; null if none. */
     public @Nullable Surface occluder(Ray ray) {
-        if (!isNone() && near(ray, ray.max) != 0) {
+        if (!isNone() && !isInside(ray)) {
             for (int left = near(ray, first(exit(ray), ray.max)); left != 0; left &= left - 1) {
-                Flat wall = walls[Integer.numberOfTrailingZeros(left)];
+                Flat wall = walls[Integer.numberOfTrailingZeros(left)].flat;
                 if (wall.occludes(ray)) {
                     return wall;
                 }
@@ -129,7 +240,7 @@ public final class Hull {
     /** As of a surface. */
     public void crossings(Ray ray, Spans out) {
         for (int left = isNone() ? 0 : near(ray, first(exit(ray), ray.max)); left != 0; left &= left - 1) {
-            walls[Integer.numberOfTrailingZeros(left)].crossings(ray, out);
+            walls[Integer.numberOfTrailingZeros(left)].flat.crossings(ray, out);
         }
     }
 
@@ -148,8 +259,7 @@ public final class Hull {
         double x = along(ray.ox - middleX, ray.dx);
         double y = along(ray.oy - middleY, ray.dy);
         double z = along(ray.oz - middleZ, ray.dz);
-        int slot = ray.left & (SLOTS - 1);
-        int known = parts[slot] == ray.left ? present & others[slot] : present;
+        int known = present & start(ray.left).others;
         return halfX - x > slack && halfY - y > slack && halfZ - z > slack && ray.min >= -slack
                 ? known & (sides(halfX - slack, x, ray.dx, t) | sides(halfY - slack, y, ray.dy, t) << 2 | sides(halfZ - slack, z, ray.dz, t) << 4) : known;
     }

@@ -148,6 +148,8 @@ final class Lighting {
             } else if (lamp.samples() == 1) {
                 boolean shines = lamp.sample(level.hit, MIDDLE, MIDDLE, arrival);
                 add(look(depth, light, shines, level, finish), level);
+            } else if (isPath) {
+                lookOnce(depth, light, lamp, level, finish);
             } else {
                 average(depth, light, level, finish);
             }
@@ -165,18 +167,42 @@ final class Lighting {
         }
     }
 
+    /** Adds what one point of a light with a size brings to a path. */
+    private void lookOnce(int depth, int light, Lamp lamp, Level level, Finish finish) {
+        if (isToStop(1)) {
+            return;
+        }
+        sampler.lights(level.path, light, 1);
+        sampler.next();
+        boolean shines = lamp.sample(level.hit, sampler.u, sampler.v, arrival);
+        if (!look(depth, light, shines, level, finish)) {
+            red = 0;
+            green = 0;
+            blue = 0;
+        }
+        level.add(red, green, blue);
+        witness.averaged(told(light), red, green, blue);
+    }
+
+    /** Asks now and then whether all is to stop, before so many shadow rays. */
+    private boolean isToStop(int more) {
+        sent += more;
+        if (sent < BATCH) {
+            return false;
+        }
+        boolean stops = stop.getAsBoolean();
+        sent = stops ? sent : 0;
+        return stops;
+    }
+
     /** Adds the mean of what several points of the light bring. */
     private void average(int depth, int light, Level level, Finish finish) {
-        int samples = isPath ? 1 : lamps[light].samples();
+        int samples = lamps[light].samples();
         double sumRed = 0;
         double sumGreen = 0;
         double sumBlue = 0;
-        sent += samples;
-        if (sent >= BATCH) {
-            if (stop.getAsBoolean()) {
-                return;
-            }
-            sent = 0;
+        if (isToStop(samples)) {
+            return;
         }
         sampler.lights(level.path, light, samples);
         for (int i = 0; i < samples; i++) {

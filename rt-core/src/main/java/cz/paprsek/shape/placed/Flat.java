@@ -11,11 +11,14 @@ public abstract class Flat extends Surface implements Part {
     private static final double EVEN = 1e4;
     /** How far a plane may lean that counts as one across an axis. */
     private static final double LEAN = 1e-14;
+    /** What is farther from a plane than this, relative to the numbers it comes from, is on that side beyond doubt. */
+    private static final double NEAR = 1e-9;
 
     private final int part;
     private final Affine toLocal;
-    private final boolean isEven;
     private final Bounds bounds;
+    private final int axis;
+    private final double place;
     /** Both are the same everywhere. */
     private final Vec3 tangent;
     private final Vec3 normal;
@@ -23,8 +26,9 @@ public abstract class Flat extends Surface implements Part {
     protected Flat(int part, Affine toWorld, Bounds worldBounds) {
         this.part = part;
         this.toLocal = toWorld.inverse();
-        this.isEven = toWorld.norm() * toLocal.norm() <= EVEN;
         this.bounds = worldBounds;
+        this.axis = toWorld.norm() * toLocal.norm() <= EVEN ? axis(toLocal) : -1;
+        this.place = 0 - toLocal.zt() / growth();
         this.tangent = toWorld.direction(Vec3.X).normalized();
         Hit hit = new Hit();
         hit.normal(toLocal, 0, 0, 1);
@@ -33,6 +37,11 @@ public abstract class Flat extends Surface implements Part {
 
     /** Whether a point of the plane belongs to the figure. */
     protected abstract boolean holds(double x, double y);
+
+    /** Whether the figure is a rectangle with edges along its own axes. */
+    protected boolean isRectangle() {
+        return false;
+    }
 
     /** The figure's x as 0–1. */
     protected abstract double u(double x);
@@ -52,17 +61,47 @@ public abstract class Flat extends Surface implements Part {
 
     /** To which axis of the world, 0 to 2, its plane is perpendicular; −1 if to none, or if rounding may move its edges farther than a little. */
     public final int axis() {
+        return axis;
+    }
+
+    private static int axis(Affine toLocal) {
         double x = Math.abs(toLocal.zx());
         double y = Math.abs(toLocal.zy());
         double z = Math.abs(toLocal.zz());
         double most = LEAN * Math.max(x, Math.max(y, z));
-        return !isEven ? -1 : Math.max(y, z) <= most ? 0 : Math.max(x, z) <= most ? 1 : Math.max(x, y) <= most ? 2 : -1;
+        return Math.max(y, z) <= most ? 0 : Math.max(x, z) <= most ? 1 : Math.max(x, y) <= most ? 2 : -1;
     }
 
     /** Where that axis crosses its plane. */
     public final double place() {
-        int axis = axis();
-        return 0 - toLocal.zt() / (axis == 0 ? toLocal.zx() : axis == 1 ? toLocal.zy() : toLocal.zz());
+        return place;
+    }
+
+    /** Whether it is all of its bounds, and its place along {@link #axis} depends on no other coordinate. */
+    public final boolean fillsBounds() {
+        return isRectangle() && axis >= 0 && toLocal.keepsAxes();
+    }
+
+    /** How fast its own z grows along that axis. */
+    public final double growth() {
+        return axis == 0 ? toLocal.zx() : axis == 1 ? toLocal.zy() : toLocal.zz();
+    }
+
+    /** Its own z at the origin. */
+    public final double atOrigin() {
+        return toLocal.zt();
+    }
+
+    /** Whether its plane is across an axis and, beyond doubt, not crossed between the ray's start and its reach: told without a quotient. */
+    public final boolean isApart(Ray ray) {
+        if (axis < 0) {
+            return false;
+        }
+        double from = (axis == 0 ? ray.ox : axis == 1 ? ray.oy : ray.oz) - place;
+        double to = from + ray.reach * (axis == 0 ? ray.dx : axis == 1 ? ray.dy : ray.dz);
+        double slack = NEAR * (Math.abs(place) + ray.scale + ray.reach);
+        // Then each of both is farther away than that, on the same side.
+        return from * to > slack * (Math.abs(from) + Math.abs(to)) && ray.min >= -slack;
     }
 
     @Override

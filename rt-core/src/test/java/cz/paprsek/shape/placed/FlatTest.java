@@ -55,6 +55,36 @@ class FlatTest {
     }
 
     @Test
+    void raysApartFromItsPlaneDoNotMeetIt() {
+        int apart = 0;
+        Ray ray = new Ray(new Spans());
+        Ray same = new Ray(new Spans());
+        for (int round = 0; round < ROUNDS; round++) {
+            Vec3 quarters = new Vec3(90 * random.nextInt(4), 90 * random.nextInt(4), 0);
+            Vec3 at = somewhere();
+            Flat flat = square(Affine.translation(at).after(Affine.rotation(quarters)).after(Affine.scaling(new Vec3(1, 1, 3))));
+            Vec3 beside = new Vec3(beside(), beside(), beside());
+            Vec3 way = new Vec3(random.nextGaussian(), random.nextInt(4) == 0 ? beside() : random.nextGaussian(), random.nextGaussian()).normalized();
+            Vec3 from = at.plus(beside);
+            double size = Math.abs(from.x()) + Math.abs(from.y()) + Math.abs(from.z());
+            double end = random.nextInt(9) == 0 ? Double.POSITIVE_INFINITY : 2 * random.nextDouble();
+            ray.start(from.x(), from.y(), from.z(), way.x(), way.y(), way.z(), size, end, 0, false);
+            same.within(ray, ray.min, end);
+            flat.nearest(same);
+            if (flat.isApart(ray)) {
+                apart++;
+                assertThat(same.part).as("a figure at %s by a ray from %s, %s", at, from, way).isEqualTo(-1);
+            }
+        }
+        assertThat(apart).isBetween(ROUNDS / 10, ROUNDS * 9 / 10);
+    }
+
+    /** Often hardly beside. */
+    private double beside() {
+        return random.nextInt(3) == 0 ? (random.nextInt(3) - 1) * Math.pow(10, -4 - 13 * random.nextDouble()) : random.nextGaussian();
+    }
+
+    @Test
     void unevenFiguresEndWhereTheirBoundsDo() {
         int across = 0;
         Ray ray = new Ray(new Spans());
