@@ -40,6 +40,7 @@ import cz.paprsek.teach.mistake.Mistake;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
 import picocli.CommandLine;
@@ -78,8 +79,9 @@ final class Cli {
 
     /** Runs the command that the arguments say; returns its {@linkplain ExitCode exit code}. */
     int run(String... args) {
+        Optional<PlainRender> plain = sharing.isEmpty() ? PlainRender.of(args) : Optional.empty();
         boolean isOneEnough = args.length > 0 && NAMES.contains(args[0]) && !NEEDING_ALL.contains(args[0]);
-        int code = run(commandLine(isOneEnough ? List.of(args[0]) : NAMES), args);
+        int code = plain.isPresent() ? run(plain.get()) : run(commandLine(isOneEnough ? List.of(args[0]) : NAMES), args);
         terminal.out().flush();
         // A command that has failed has told why.
         Optional<IOException> lost = terminal.bytes().lost().filter(failure -> code != ExitCode.FAILED);
@@ -92,13 +94,27 @@ final class Cli {
         try {
             return commands.execute(args);
         } catch (OutOfMemoryError e) {
-            terminal.message("paprsek: " + Memory.sentence("", 0));
-            return ExitCode.FAILED;
+            return outOfMemory();
         }
     }
 
+    private int run(PlainRender words) {
+        try {
+            return new RenderCommand(terminal, stop, words).call();
+        } catch (OutOfMemoryError e) {
+            return outOfMemory();
+        } catch (RuntimeException failure) {
+            return failed(failure, Objects.requireNonNull(commandLine(List.of("render")).getSubcommands().get("render")));
+        }
+    }
+
+    private int outOfMemory() {
+        terminal.message("paprsek: " + Memory.sentence("", 0));
+        return ExitCode.FAILED;
+    }
+
     /** With the commands of these names: picocli takes longer to look at all of them than a small picture takes to render. */
-    private CommandLine commandLine(List<String> names) {
+    CommandLine commandLine(List<String> names) {
         CommandLine root = new CommandLine(new RootCommand());
         names.forEach(name -> root.addSubcommand(name, command(name)));
         register(root, Size.class, Size::parse);

@@ -86,56 +86,56 @@ final class RenderCommand implements Callable<Integer> {
 
     @Parameters(paramLabel = "SCENE", arity = "1..*",
             description = "Scene files, or - for standard input. Patterns with * ? [] {} and ** are expanded, also when quoted.")
-    private List<String> scenes;
+    private List<String> scenes = List.of();
 
     @Option(names = "--where", paramLabel = "FILTER", description = "Only scenes that match; 'paprsek db --help' explains filters.")
-    private Optional<String> where;
+    private Optional<String> where = Optional.empty();
 
     @Option(names = {"-o", "--output"}, paramLabel = "FILE|DIR|PATTERN", description = {
         "A file, for one scene; its ending says the format. A directory (which exists or ends in /), or a pattern in which {name} "
                 + "stands for the scene's file name, or in a database its own, and {dir} for the directory the scene is in. Directories "
                 + "are made. - is standard output.",
         "Default: {name}.png in the working directory."})
-    private Optional<String> output;
+    private Optional<String> output = Optional.empty();
 
     @Option(names = "--format", paramLabel = "FORMAT", completionCandidates = OutputFormat.Names.class, description = {
         "One of ${COMPLETION-CANDIDATES}. Default: by the ending of the output, else png.",
         "exr, hdr, pfm and ppm16 hold linear light, txt brightness 0-255 and lum linear luminance, one image row a line; apng, gif and y4m are films, of --frames."})
-    private Optional<OutputFormat> format;
+    private Optional<OutputFormat> format = Optional.empty();
 
     @Option(names = "--raw", description = "Text output holds linear luminance as decimals, 1 for white, instead of 0-255: the same as --format lum.")
     private boolean raw;
 
     @Option(names = "--size", paramLabel = "WxH", description = "Width and height in pixels, each 1-32768. Default: the scene's.")
-    private Optional<Size> size;
+    private Optional<Size> size = Optional.empty();
 
     @Option(names = "--region", paramLabel = "X,Y,W,H", description =
             "Renders this part only: column and row of its top left pixel from 0, width, height. The picture has the part's size.")
-    private Optional<Tile> region;
+    private Optional<Tile> region = Optional.empty();
 
     @Mixin
-    private ParameterWishes given;
+    private ParameterWishes given = new ParameterWishes();
 
     @Mixin
-    private RayWishes rays;
+    private RayWishes rays = new RayWishes();
 
     @Option(names = "--max-depth", paramLabel = "N", description =
             "Levels of reflected and refracted rays, 1-250; the ray from the eye is level 1. Default: the scene's.")
-    private Optional<Integer> maxDepth;
+    private Optional<Integer> maxDepth = Optional.empty();
 
     @Option(names = "--mode", paramLabel = "MODE", defaultValue = "shaded", completionCandidates = Modes.class, description = {
         "What the picture shows: ${COMPLETION-CANDIDATES}.",
         "rays, nodes and samples are counts per pixel, and error is how far its value may be from the true one, in steps of 255, on a scale of colours that is drawn below the "
                 + "picture. In exr, pfm, txt and lum these and depth are numbers: counts, errors from 0 to 1, below 0 where they cannot be trusted, and distances in scene units, "
                 + "0 where nothing is seen."})
-    private RenderMode mode;
+    private RenderMode mode = RenderMode.SHADED;
 
     @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
-    private Optional<String> camera;
+    private Optional<String> camera = Optional.empty();
 
     @Option(names = "--light", paramLabel = "LIGHT", description =
             "Shows what this light adds, by its name or its number from 1: the others are dark, ambient light and background black.")
-    private Optional<String> light;
+    private Optional<String> light = Optional.empty();
 
     @Option(names = "--no-floor", description = "Leaves away the floor that files of other programs are given.")
     private boolean noFloor;
@@ -145,26 +145,26 @@ final class RenderCommand implements Callable<Integer> {
 
     @Option(names = "--threads", paramLabel = "N", description =
             "Threads to render with, 1-1024; the picture is the same for any number. Default: all processors.")
-    private Optional<Integer> threads;
+    private Optional<Integer> threads = Optional.empty();
 
     @Option(names = "--bits", paramLabel = "N", description =
             "Bits per channel: 8 or 16 of png, 16 or 32 of exr. Default: the smaller number.")
-    private Optional<Integer> bits;
+    private Optional<Integer> bits = Optional.empty();
 
     @Option(names = "--uncompressed", description = "Writes exr as large as it is, for programs that cannot unpack it.")
     private boolean uncompressed;
 
     @Mixin
-    private LightWishes shown;
+    private LightWishes shown = new LightWishes();
 
     @Mixin
-    private FrameWishes film;
+    private FrameWishes film = new FrameWishes();
 
     @Mixin
-    private PixelWishes pixels;
+    private PixelWishes pixels = new PixelWishes();
 
     @Mixin
-    private MistakeWishes mistakes;
+    private MistakeWishes mistakes = new MistakeWishes();
 
     @Option(names = "--resume", description = {
         "Keeps every finished tile in FILE.resume beside the picture, and goes on from there if an earlier render was interrupted or killed. "
@@ -173,12 +173,12 @@ final class RenderCommand implements Callable<Integer> {
 
     @Option(names = "--time", paramLabel = "SECONDS", description =
             "Of the integrator path, makes as many passes of 64 paths a pixel as can be done in this time, at least one, unless --samples ends it before.")
-    private Optional<Double> time;
+    private Optional<Double> time = Optional.empty();
 
     @Option(names = "--shard", paramLabel = "I/N", description = {
         "Renders one share of the picture, the I-th of N, on this machine; others take the others. Its parts go to files in the directory -o, which is made, each when it is done; "
                 + "those that are there already and whole are not made again. 'paprsek merge' puts them together to the same picture, to the last bit; 'paprsek plan' writes what clusters need."})
-    private Optional<Shard> shard;
+    private Optional<Shard> shard = Optional.empty();
 
     @Option(names = "--by", paramLabel = "WHAT", defaultValue = "tiles", description = {
         "How the work of --shard is dealt out: ${COMPLETION-CANDIDATES}. By passes, parts are of 64 paths of each of their pixels, for light alone by the integrator path, of as many paths everywhere. Default: tiles."})
@@ -187,7 +187,7 @@ final class RenderCommand implements Callable<Integer> {
     private enum By { tiles, passes }
 
     @Mixin
-    private TellingWishes telling;
+    private TellingWishes telling = new TellingWishes();
 
     RenderCommand(Terminal terminal, Stop stop) {
         this(terminal, stop, Optional.empty());
@@ -198,6 +198,16 @@ final class RenderCommand implements Callable<Integer> {
         this.terminal = terminal;
         this.stop = stop;
         this.sharing = sharing;
+    }
+
+    /** What the words of a plain call say. */
+    RenderCommand(Terminal terminal, Stop stop, PlainRender words) {
+        this(terminal, stop);
+        scenes = words.scenes();
+        output = words.output();
+        size = words.size();
+        threads = words.threads();
+        telling = new TellingWishes(words.isQuiet());
     }
 
     @Override

@@ -76,14 +76,14 @@ class PictureOptionsTest {
     }
 
     @Test
-    void aShortRenderLoadsNothingOfTheDesktop() throws Exception {
+    void aShortRenderLoadsNothingOfTheDesktopNorOfPicocli() throws Exception {
         Path log = folder.resolve("classes.txt");
         Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xlog:class+load:file=" + log,
                 "-cp", System.getProperty("java.class.path"), Main.class.getName(), "render", scene.toString(), "-o", folder.resolve("a.png").toString(), "--quiet")
                 .inheritIO().start();
         assertThat(process.waitFor()).isZero();
         assertThat(Files.readAllLines(log)).anyMatch(line -> line.contains("cz.paprsek.image.png.PngWriter"))
-                .noneMatch(line -> line.contains("java.awt.") || line.contains("javax.imageio.") || line.contains("sun.awt."));
+                .noneMatch(line -> line.contains(" picocli.CommandLine source") || line.contains("java.awt.") || line.contains("javax.imageio.") || line.contains("sun.awt."));
     }
 
     @Test

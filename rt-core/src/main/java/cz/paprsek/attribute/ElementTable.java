@@ -8,6 +8,13 @@ import java.util.stream.Stream;
 
 /** The elements of scene files that records are. */
 public final class ElementTable {
+    private static final ClassValue<String> NAMES = new ClassValue<>() {
+        @Override
+        protected String computeValue(Class<?> record) {
+            return says(record).map(Element::name).filter(name -> !name.isEmpty()).orElseGet(() -> hyphenated(record.getSimpleName()));
+        }
+    };
+
     private ElementTable() {}
 
     /** The records that are elements: of a sealed interface all that it permits, in its order; of a record itself. */
@@ -20,7 +27,7 @@ public final class ElementTable {
 
     /** The name of a record's element: {@code point-light}. */
     public static String name(Class<?> record) {
-        return says(record).map(Element::name).filter(name -> !name.isEmpty()).orElseGet(() -> hyphenated(record.getSimpleName()));
+        return NAMES.get(Objects.requireNonNull(record, "record"));
     }
 
     /** What the element is, in a sentence. */
@@ -34,6 +41,14 @@ public final class ElementTable {
 
     /** {@code refractiveIndex} and {@code RefractiveIndex} as files have them: {@code refractive-index}. */
     public static String hyphenated(String name) {
-        return name.replaceAll("(?<=.)([A-Z])", "-$1").toLowerCase(Locale.ROOT);
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < name.length(); i++) {
+            char letter = name.charAt(i);
+            if (i > 0 && letter >= 'A' && letter <= 'Z') {
+                text.append('-');
+            }
+            text.append(letter);
+        }
+        return text.toString().toLowerCase(Locale.ROOT);
     }
 }

@@ -35,7 +35,16 @@ public final class Origins {
      * @param light the only light that shines: its name, or its number from 1
      */
     public static Origin of(Scene scene, RenderOptions render, Optional<String> camera, Optional<String> light, ImageFormat format) {
-        return areToldIn(format) ? new Origin(scene.name(), digest(scene), program(), settings(render, camera, light)) : Origin.UNTOLD;
+        return areToldIn(format) ? of(scene, digest(scene), render, camera, light) : Origin.UNTOLD;
+    }
+
+    /**
+     * The same, of a picture in a file that holds text.
+     *
+     * @param digest of the scene, as {@link #digest} says it
+     */
+    public static Origin of(Scene scene, String digest, RenderOptions render, Optional<String> camera, Optional<String> light) {
+        return new Origin(scene.name(), digest, program(), settings(render, camera, light));
     }
 
     /** Whether a format holds text. */
@@ -50,8 +59,8 @@ public final class Origins {
         return "Paprsek " + Objects.requireNonNullElse(Origins.class.getPackage().getImplementationVersion(), "(development)");
     }
 
-    /** Of the scene as {@code convert} writes it: that it was written differently changes no picture. */
-    private static String digest(Scene scene) {
+    /** Of the scene as {@code convert} writes it: that it was written differently changes no picture. Empty if it is too large for that. Takes a while for one of thousands of bodies. */
+    public static String digest(Scene scene) {
         long bodies = 0;
         for (int i = 0; i < scene.objects().size(); i++) {
             bodies += Body.of(scene.objects().get(i)).primitives(MOST_DIGESTED + 1);

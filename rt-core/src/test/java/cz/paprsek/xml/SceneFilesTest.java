@@ -2,14 +2,22 @@ package cz.paprsek.xml;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Sphere;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -45,6 +53,26 @@ class SceneFilesTest {
         Scene read = WayIn.all(text).scene();
         assertThat(read).isEqualTo(scene);
         assertThat(SceneFiles.format(read)).isEqualTo(text);
+    }
+
+    /** Of neighbours with the same material its text is kept. */
+    @Test
+    void aMaterialIsWrittenAsWellBehindTheSameAsByItself() throws Exception {
+        Material plain = new Material(new Pattern.Plain(new Rgb(1, 2, 3)), 0.5, 0, 30, 0.25, 0, 1);
+        Material patterned = new Material(new Pattern.Checkerboard(3, 4, Rgb.WHITE, Rgb.BLACK), 0.5, 0, 30, 0.25, 0, 1);
+        for (Material material : List.of(plain, patterned)) {
+            SceneObject ball = SceneObject.of(new Sphere(1)).madeOf(material);
+            SceneObject both = SceneObject.of(Csg.union(Operand.of(new Sphere(1)).madeOf(material), Operand.of(new Sphere(2)).madeOf(material))).madeOf(material);
+            List<SceneObject> all = List.of(ball, ball, both, ball, both, SceneObject.of(new Sphere(1)).madeOf(plain), ball);
+            Scene scene = Scene.EMPTY;
+            StringBuilder apart = new StringBuilder();
+            for (SceneObject one : all) {
+                scene = scene.plus(one);
+                apart.append(SceneFiles.format(Scene.EMPTY.plus(one)).lines().skip(2).filter(line -> !line.equals("</scene>")).collect(Collectors.joining("\n", "", "\n")));
+            }
+            assertThat(SceneFiles.format(scene)).contains(apart);
+            assertThat(WayIn.all(SceneFiles.format(scene)).scene()).isEqualTo(scene);
+        }
     }
 
     @Test

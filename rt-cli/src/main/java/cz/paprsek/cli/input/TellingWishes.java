@@ -13,6 +13,16 @@ public final class TellingWishes {
     @Option(names = {"-q", "--quiet"}, description = "Prints errors only, and what --json asks for.")
     private boolean quiet;
 
+    /** As picocli makes them. */
+    public TellingWishes() {
+        this(false);
+    }
+
+    /** In no special form. */
+    public TellingWishes(boolean quiet) {
+        this.quiet = quiet;
+    }
+
     public boolean isJson() {
         return json;
     }

@@ -146,7 +146,8 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
                     // A picture is kept, and how good it is must be said.
                     stop.oweLastWords();
                 }
-                WholePasses passes = new WholePasses(seconds, (image, layers, count) -> isWritten(target, read, image, layers, ofPasses(options, count), way),
+                Digest digest = Digest.begun(read, target.format());
+                WholePasses passes = new WholePasses(seconds, (image, layers, count) -> isWritten(target, read, digest, image, layers, ofPasses(options, count), way),
                         hindered -> terminal.message(target.source().label() + ": note: the picture so far could not be written, rendering goes on: "
                                 + Failures.sentence(target.shown(), hindered)));
                 RenderResult result = rendered(target, scene, assets, options, tiles, passes, way);
@@ -154,7 +155,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
                     return interrupted(target, passes);
                 }
                 Image image = view.finished(result.image(), target.format());
-                write(target, read, image, result.layers(), passes.passesInTime().map(count -> ofPasses(options, count)).orElse(options), way);
+                write(target, read, digest, image, result.layers(), passes.passesInTime().map(count -> ofPasses(options, count)).orElse(options), way);
                 if (!way.keepsTiles()) {
                     tiles.discard();
                 }
@@ -237,16 +238,16 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
     }
 
     /** Writes the picture of the passes so far, if it goes to a file. */
-    private boolean isWritten(Target target, Scene read, Image image, Layers layers, RenderOptions options, Way way) throws IOException {
+    private boolean isWritten(Target target, Scene read, Digest digest, Image image, Layers layers, RenderOptions options, Way way) throws IOException {
         if (target.file().isEmpty() || way.keepsTiles()) {
             return false;
         }
-        write(target, read, view.finished(image, target.format()), layers, options, way);
+        write(target, read, digest, view.finished(image, target.format()), layers, options, way);
         return true;
     }
 
-    private void write(Target target, Scene read, Image image, Layers layers, RenderOptions options, Way way) throws IOException {
-        ImageOptions how = view.written(target.format(), writing.of(read, options, view, target.format()));
+    private void write(Target target, Scene read, Digest digest, Image image, Layers layers, RenderOptions options, Way way) throws IOException {
+        ImageOptions how = view.written(target.format(), writing.of(read, digest, options, view, target.format()));
         stop.guard(() -> way.write(target, image, layers, how));
     }
 

@@ -33,9 +33,14 @@ public record Writing(Optional<Integer> bits, boolean uncompressed) {
 
     /** @param scene as it was read, whatever of it is shown */
     ImageOptions of(Scene scene, RenderOptions render, View view, ImageFormat format) {
+        return of(scene, new Digest(scene), render, view, format);
+    }
+
+    /** @param digest of the scene */
+    ImageOptions of(Scene scene, Digest digest, RenderOptions render, View view, ImageFormat format) {
         RenderSettings settings = render.settings();
         ImageOptions shown = view.mode() == RenderMode.SHADED ? options().withExposure(settings.exposure()).withTone(settings.tone()) : options();
-        Origin origin = Origins.of(scene, render, view.camera(), view.light(), format);
+        Origin origin = Origins.areToldIn(format) ? Origins.of(scene, digest.text(), render, view.camera(), view.light()) : Origin.UNTOLD;
         boolean isRight = view.mistakes().equals(Mistakes.NONE) || origin.equals(Origin.UNTOLD);
         String mistakes = view.mistakes().all().stream().map(Mistake::toString).collect(Collectors.joining(","));
         return shown.withOrigin(isRight ? origin : new Origin(origin.scene(), origin.digest(), origin.program(), origin.settings() + " --mistake " + mistakes));

@@ -44,6 +44,11 @@ public final class SceneWriter {
     private static final String HERE = "a scene file";
 
     private final XmlText xml = new XmlText();
+    /** The last material without a name, in how many elements it was, and where its text begins and ends. */
+    private Material last = Material.DEFAULT;
+    private int lastLevel = -1;
+    private int lastStart;
+    private int lastEnd;
 
     /** Of a scene with a recipe, that recipe. */
     public String file(Scene scene) {
@@ -209,14 +214,16 @@ public final class SceneWriter {
         if (material.pattern() instanceof CustomPattern) {
             pattern(material.pattern());
         }
-        Described.values(material.shares()).forEach((share, value) -> around(share, value));
+        if (!material.shares().equals(Material.Shares.EVEN)) {
+            Described.values(material.shares()).forEach((share, value) -> around(share, value));
+        }
         ElementTable.of(material.relief().getClass()).forEach(kind -> around(ElementTable.name(kind), material.relief()));
         xml.close(element);
     }
 
     /** The shares that a pattern says: no attributes. */
     private static Set<String> varied(Material material) {
-        return Described.values(material.shares()).entrySet().stream().filter(share -> share.getValue() instanceof ByPattern).map(Map.Entry::getKey).collect(Collectors.toSet());
+        return material.shares().equals(Material.Shares.EVEN) ? Set.of() : Described.values(material.shares()).entrySet().stream().filter(share -> share.getValue() instanceof ByPattern).map(Map.Entry::getKey).collect(Collectors.toSet());
     }
 
     /** An element with a pattern inside, if there is one. */
@@ -272,12 +279,26 @@ public final class SceneWriter {
         if (material instanceof MaterialName reference) {
             xml.attribute("material", reference.name());
         } else if (material instanceof Material own) {
-            material("", own);
+            own(own);
         }
         if (shape instanceof Csg csg) {
             csg.operands().forEach(this::operand);
         }
         xml.close(element);
+    }
+
+    /** A material without a name. Of neighbours that have the same one, the text is. */
+    private void own(Material material) {
+        if (xml.level() == lastLevel && material.equals(last)) {
+            xml.again(lastStart, lastEnd);
+            return;
+        }
+        int start = xml.end();
+        material("", material);
+        last = material;
+        lastLevel = xml.level();
+        lastStart = start;
+        lastEnd = xml.end();
     }
 
     private static String text(Rgb color) {

@@ -56,6 +56,23 @@ final class XmlText {
         file.replaceFirst(" xmlns=\"" + SceneFormat.NAMESPACE + "\"", "").lines().skip(1).forEach(line -> indent().append(line).append('\n'));
     }
 
+    /** How many elements are open. */
+    int level() {
+        return level;
+    }
+
+    /** How long the text is, when the start tag before what comes next is closed. */
+    int end() {
+        endTag();
+        return text.length();
+    }
+
+    /** Once more the elements whose text is from an index to another, in as many elements. */
+    void again(int from, int to) {
+        endTag();
+        text.append(text, from, to);
+    }
+
     /** The shortest text that reads back as the same number, −0 included, which people are shown as 0. */
     static String text(double value) {
         return value == 0 && 1 / value < 0 ? "-0" : Numbers.text(value);
