@@ -68,7 +68,7 @@ class SceneFilesTest {
             StringBuilder apart = new StringBuilder();
             for (SceneObject one : all) {
                 scene = scene.plus(one);
-                apart.append(SceneFiles.format(Scene.EMPTY.plus(one)).lines().skip(2).filter(line -> !line.equals("</scene>")).collect(Collectors.joining("\n", "", "\n")));
+                apart.append(SceneFiles.format(Scene.EMPTY.plus(one)).lines().skip(3).filter(line -> !line.equals("</scene>")).collect(Collectors.joining("\n", "", "\n")));
             }
             assertThat(SceneFiles.format(scene)).contains(apart);
             assertThat(WayIn.all(SceneFiles.format(scene)).scene()).isEqualTo(scene);
