@@ -6,6 +6,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -59,7 +60,7 @@ class SceneFilesTest {
     @Test
     void aMaterialIsWrittenAsWellBehindTheSameAsByItself() throws Exception {
         Material plain = new Material(new Pattern.Plain(new Rgb(1, 2, 3)), 0.5, 0, 30, 0.25, 0, 1);
-        Material patterned = new Material(new Pattern.Checkerboard(3, 4, Rgb.WHITE, Rgb.BLACK), 0.5, 0, 30, 0.25, 0, 1);
+        Material patterned = new Material(new Pattern.Checker(new Vec3(1, 2, 3), Vec3.ZERO, Rgb.WHITE, Rgb.BLACK, Pattern.Lay.NONE), 0.5, 0, 30, 0.25, 0, 1);
         for (Material material : List.of(plain, patterned)) {
             SceneObject ball = SceneObject.of(new Sphere(1)).madeOf(material);
             SceneObject both = SceneObject.of(Csg.union(Operand.of(new Sphere(1)).madeOf(material), Operand.of(new Sphere(2)).madeOf(material))).madeOf(material);
