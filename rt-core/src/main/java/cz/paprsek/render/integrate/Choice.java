@@ -22,17 +22,18 @@ final class Choice {
 
     /** Makes ready for a hit; false if the path ends there. */
     boolean at(Level level, Finish finish) {
-        diffuse = finish.diffusion * Math.max(level.colorRed, Math.max(level.colorGreen, level.colorBlue));
         highlight = finish.highlights;
         rest = finish.reflection + finish.transparency;
+        if (!(highlight + rest > 0)) {
+            // Most surfaces: without three divisions.
+            boolean scatters = finish.diffusion > 0 && (level.colorRed > 0 || level.colorGreen > 0 || level.colorBlue > 0);
+            diffuse = scatters ? 1 : 0;
+            return scatters;
+        }
+        diffuse = finish.diffusion * Math.max(level.colorRed, Math.max(level.colorGreen, level.colorBlue));
         double all = diffuse + highlight + rest;
         if (!(all > 0)) {
             return false;
-        }
-        if (!(highlight + rest > 0)) {
-            // Of most surfaces: without three divisions.
-            diffuse = 1;
-            return true;
         }
         diffuse /= all;
         highlight /= all;

@@ -9,6 +9,7 @@ import cz.paprsek.render.light.Emitters;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.light.ManyLamps;
 import cz.paprsek.render.light.PointLamp;
+import cz.paprsek.render.sample.Asked;
 import cz.paprsek.render.sample.Sampler;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Contacts;
@@ -34,6 +35,8 @@ import org.jspecify.annotations.Nullable;
 final class Lighting {
     /** How many shadow rays of lights with a size are sent between two questions whether to stop: one ray may need those of many lights. */
     private static final int BATCH = 4096;
+    /** For so many points of lights it is kept where they are: a power of two. */
+    private static final int MOST_ASKED = 256;
     /** For a light that is looked for at one point. */
     private static final double MIDDLE = 0.5;
 
@@ -63,6 +66,8 @@ final class Lighting {
     private final Arrival arrival = new Arrival();
     /** What last stood between a point and each light, by level of recursion and light: likely to stand there again. */
     private final @Nullable Surface[] lastOccluder;
+    /** What a path last asked the sampler, likewise: of many lights, by the last digits of that. */
+    private final Asked[] asked;
     /** Where shadow rays on level 0 look for what stands in their way. */
     final ShadowStarts starts;
     private final Entries anywhere;
@@ -110,6 +115,7 @@ final class Lighting {
         this.veils = new Veils(parts, spans);
         this.shadow = new Ray(spans);
         this.lastOccluder = new Surface[maxDepth * lamps.length];
+        this.asked = Asked.none(Integer.highestOneBit(Math.min(MOST_ASKED, 2 * lastOccluder.length + 1)));
         this.starts = new ShadowStarts(bodies, lamps);
         this.anywhere = bodies.whole();
         this.dims = scene.absorbs();
@@ -128,7 +134,8 @@ final class Lighting {
     }
 
     /**
-     * Adds the diffuse and specular part of all lights to the level's light.
+     * Adds the diffuse and specular part of all lights to the level's light. Too long for the JVM to put it into what calls it, by whichever is compiled first: both together would be too large for
+     * all that they call.
      *
      * @param depth the level's number, from 0
      */
@@ -149,7 +156,20 @@ final class Lighting {
                 boolean shines = lamp.sample(level.hit, MIDDLE, MIDDLE, arrival);
                 add(look(depth, light, shines, level, finish), level);
             } else if (isPath) {
-                lookOnce(depth, light, lamp, level, finish);
+                // One point is looked for, without the loop of a mean.
+                if (isToStop(1)) {
+                    return;
+                }
+                sampler.light(level.path, light, asked[(depth * lamps.length + light) & (asked.length - 1)]);
+                sampler.next();
+                boolean shines = lamp.sample(level.hit, sampler.u, sampler.v, arrival);
+                if (!look(depth, light, shines, level, finish)) {
+                    red = 0;
+                    green = 0;
+                    blue = 0;
+                }
+                level.add(red, green, blue);
+                witness.averaged(told(light), red, green, blue);
             } else {
                 average(depth, light, level, finish);
             }
@@ -165,23 +185,6 @@ final class Lighting {
         if (brings) {
             level.add(red, green, blue);
         }
-    }
-
-    /** Adds what one point of a light with a size brings to a path. */
-    private void lookOnce(int depth, int light, Lamp lamp, Level level, Finish finish) {
-        if (isToStop(1)) {
-            return;
-        }
-        sampler.lights(level.path, light, 1);
-        sampler.next();
-        boolean shines = lamp.sample(level.hit, sampler.u, sampler.v, arrival);
-        if (!look(depth, light, shines, level, finish)) {
-            red = 0;
-            green = 0;
-            blue = 0;
-        }
-        level.add(red, green, blue);
-        witness.averaged(told(light), red, green, blue);
     }
 
     /** Asks now and then whether all is to stop, before so many shadow rays. */
@@ -254,7 +257,7 @@ final class Lighting {
             return false;
         }
         double diffuse = finish.diffusion * facing;
-        double highlight = finish.highlight(alignment(level));
+        double highlight = finish.specular == 0 ? 0 : finish.highlight(alignment(level));
         red = visibility * arrival.red * (diffuse * level.colorRed + highlight);
         green = visibility * arrival.green * (diffuse * level.colorGreen + highlight);
         blue = visibility * arrival.blue * (diffuse * level.colorBlue + highlight);
@@ -330,9 +333,8 @@ final class Lighting {
         Ray ray = level.ray;
         shadow.start(hit.px, hit.py, hit.pz, arrival.x, arrival.y, arrival.z, hit.size, arrival.distance - Ray.TOUCH * hit.size, ray.part,
                 level.leaving == ray.face < 0);
-        around = lobe.beyond;
         isBeyond = true;
-        double share = share(depth * lamps.length + light, anywhere);
+        double share = share(depth * lamps.length + light, anywhere, lobe.beyond);
         isBeyond = false;
         return share > 0 && glows.occludes(shadow, light) ? 0 : share;
     }
@@ -340,7 +342,7 @@ final class Lighting {
     private double visibility(int depth, int light, Level level) {
         rays++;
         Entries among = depth == 0 ? starts.of(light) : anywhere;
-        if (bodies.isClear(among) && glows.areNone() && !dims) {
+        if (glows.areNone() && bodies.isClear(among) && !dims) {
             return 1;
         }
         Hit hit = level.hit;
@@ -348,8 +350,7 @@ final class Lighting {
         shadow.start(hit.px, hit.py, hit.pz, arrival.x, arrival.y, arrival.z, hit.size, arrival.distance - Ray.TOUCH * hit.size, ray.part,
                 level.leaving != ray.face < 0);
         backFrom(level, shadow);
-        around = level.media;
-        double share = share(depth * lamps.length + light, among);
+        double share = share(depth * lamps.length + light, among, level.media);
         return share > 0 && glows.occludes(shadow, light) ? 0 : share;
     }
 
@@ -361,18 +362,22 @@ final class Lighting {
     }
 
     /** The share of a light that comes along the shadow ray: the product of the transparencies of all surfaces in between. */
-    private double share(int memory, Entries among) {
+    private double share(int memory, Entries among, Media media) {
         Surface last = lastOccluder[memory];
         if (last != null && last.occludes(shadow)) {
             return 0;
         }
         int mark = spans.size();
         Surface occluder = bodies.occluder(shadow, among, finder, spans);
-        double product = occluder == null ? veils.product(shadow, spans, mark, isMet) : 0;
-        if (dims && product > 0) {
-            dimming.along(spans, mark, isMet, around, arrival.distance, Dimming.UNTOLD);
+        double product = occluder == null ? 1 : 0;
+        if (spans.size() > mark || dims) {
+            around = media;
+            product = occluder == null ? veils.product(shadow, spans, mark, isMet) : 0;
+            if (dims && product > 0) {
+                dimming.along(spans, mark, isMet, around, arrival.distance, Dimming.UNTOLD);
+            }
+            spans.release(mark);
         }
-        spans.release(mark);
         if (occluder != last) {
             lastOccluder[memory] = occluder;
         }

@@ -5,6 +5,7 @@ import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.light.Emitters;
+import cz.paprsek.render.sample.Asked;
 import cz.paprsek.render.sample.PassSums;
 import cz.paprsek.render.sample.Passes;
 import cz.paprsek.render.sample.Turn;
@@ -30,6 +31,8 @@ public class Paths extends BlockTracer {
     private final float[] kept;
     private final Scatter onward;
     private final Turn turn = new Turn();
+    /** By level, what was last asked for a direction. */
+    private final Asked[] asked;
     private final Arrival way = new Arrival();
     /** Whether the path goes on from the hit that was last lit: its next ray has been started. */
     private boolean goesOn;
@@ -48,6 +51,7 @@ public class Paths extends BlockTracer {
     public Paths(World scene, int maxDepth, Passes sampling, Witness witness) {
         super(scene, maxDepth + 1, sampling, true, new Spans(), witness);
         last = maxDepth;
+        asked = Asked.none(maxDepth + 1);
         this.sampling = sampling;
         sums = sampling.newSums();
         kept = new float[sampling.kept()];
@@ -159,7 +163,7 @@ public class Paths extends BlockTracer {
         // The direction depends on none of the lights: chosen before they are looked for, it is ready when the way to them is found.
         boolean isChosen = scatters && choice.diffuse == 1;
         if (isChosen) {
-            diffuse(level);
+            diffuse(level, depth);
         }
         if (finish.isLit()) {
             lighting.illuminate(depth, level, finish);
@@ -181,7 +185,7 @@ public class Paths extends BlockTracer {
         if (which < choice.diffuse) {
             double k = finish.diffusion / choice.diffuse;
             if (!isChosen) {
-                diffuse(level);
+                diffuse(level, depth);
             }
             strew(level, depth, finish, end, k * level.colorRed, k * level.colorGreen, k * level.colorBlue);
         } else if (which < choice.diffuse + choice.highlight) {
@@ -194,8 +198,8 @@ public class Paths extends BlockTracer {
     }
 
     /** Chooses a direction above the surface, as often as its cosine is large. */
-    private void diffuse(Level level) {
-        sampler.strew(level.path);
+    private void diffuse(Level level, int depth) {
+        sampler.strew(level.path, asked[depth]);
         around(level.hit.sx, level.hit.sy, level.hit.sz, sampler.x, sampler.y, sampler.z);
     }
 
@@ -272,14 +276,23 @@ public class Paths extends BlockTracer {
                 weight * (isMirrored ? onward.blue : onward.through));
     }
 
+    /** The greatest of three numbers, which of them can be foretold. */
+    private static double most(double red, double green, double blue) {
+        double most = green > red ? green : red;
+        return blue > most ? blue : most;
+    }
+
     private void follow(Level level, int depth, boolean refracted, double end, double red, double green, double blue) {
         Level next = levels[depth + 1];
-        double weight = level.weight * Math.max(red, Math.max(green, blue));
-        double stays = depth + 1 < ROULETTE ? 1 : Math.min(1, weight);
-        if (!(end < stays)) {
-            return;
+        double weight = level.weight * most(red, green, blue);
+        double k = 1;
+        if (depth + 1 >= ROULETTE) {
+            double stays = Math.min(1, weight);
+            if (!(end < stays)) {
+                return;
+            }
+            k = 1 / stays;
         }
-        double k = 1 / stays;
         next.weight = k * weight;
         next.shareRed = k * red;
         next.shareGreen = k * green;

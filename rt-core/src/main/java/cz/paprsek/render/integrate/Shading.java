@@ -17,7 +17,7 @@ import java.util.function.BooleanSupplier;
 
 /** Follows rays and tells what light they bring, all but what surfaces scatter: one worker's scratch. Nothing is allocated once it is made. */
 abstract class Shading implements Integrator {
-    /** How many rays are traced between two questions whether to stop. */
+    /** How many rays are traced between two questions whether to stop: a power of two. */
     private static final int BATCH = 64;
 
     final World scene;
@@ -111,7 +111,7 @@ abstract class Shading implements Integrator {
 
     /** Finds what the ray of a level hits that has been started; false if all is to stop, and there is no light. */
     final boolean find(Level level) {
-        if (cancelled || ((primary + offspring.reflected + offspring.refracted) % BATCH == 0 && isToStop())) {
+        if (cancelled || (((primary + offspring.reflected + offspring.refracted) & (BATCH - 1)) == 0 && isToStop())) {
             level.light(0, 0, 0);
             return false;
         }
@@ -191,15 +191,17 @@ abstract class Shading implements Integrator {
     private static void face(Level level) {
         Ray ray = level.ray;
         Hit hit = level.hit;
-        level.leaving = ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz > 0;
+        double away = ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz;
+        level.leaving = away > 0;
         if (level.leaving) {
             hit.turn();
         }
         level.isBent = hit.sx != hit.nx || hit.sy != hit.ny || hit.sz != hit.nz;
+        double c = Math.abs(away);
         if (level.isBent) {
             Bent.towardsViewer(ray, hit);
+            c = Math.abs(ray.dx * hit.sx + ray.dy * hit.sy + ray.dz * hit.sz);
         }
-        double c = Math.abs(ray.dx * hit.sx + ray.dy * hit.sy + ray.dz * hit.sz);
         level.cosine = c;
         level.mirrorX = ray.dx + 2 * c * hit.sx;
         level.mirrorY = ray.dy + 2 * c * hit.sy;

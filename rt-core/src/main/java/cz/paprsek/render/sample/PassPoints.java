@@ -40,6 +40,8 @@ final class PassPoints {
     private final int size;
     private int pixel;
     private int first = -1;
+    /** How often it has been decided what is made: until then what was found stays where it is. */
+    int plans;
     /** Whether the points are still those of another pass. */
     private boolean isStale;
     /** Where the sample's points are among those of a dimension, and its directions. */
@@ -98,8 +100,9 @@ final class PassPoints {
             plan();
         }
         int sequence = Sampler.scramble(sample);
-        offset = sample % RUN * (madeCount * SCRAMBLES) + sequence;
-        turnOffset = sample % RUN * (turnCount * SCRAMBLES) + sequence;
+        int run = sample & (RUN - 1);
+        offset = run * (madeCount * SCRAMBLES) + sequence;
+        turnOffset = run * (turnCount * SCRAMBLES) + sequence;
     }
 
     /**
@@ -120,6 +123,24 @@ final class PassPoints {
         }
         table[entry(dimension) + IS_TURN] = 1;
         return ALONE;
+    }
+
+    /** Notes where a dimension is that was found. */
+    void note(int dimension, Asked asked) {
+        asked.entry = entry(dimension);
+        asked.lane = table[asked.entry + LANE];
+    }
+
+    /** Where the sample's point is of a dimension that was noted since the last plan: as {@link #find}. */
+    int again(Asked asked) {
+        table[asked.entry + ASKED]++;
+        return asked.lane + offset;
+    }
+
+    /** Likewise, as {@link #findTurn}. */
+    int turnAgain(Asked asked) {
+        table[asked.entry + ASKED]++;
+        return asked.lane + turnOffset;
     }
 
     private int lane(int dimension) {
@@ -166,6 +187,7 @@ final class PassPoints {
 
     /** Decides by what the last pass asked for which dimensions are made. */
     private void plan() {
+        plans++;
         for (int i = madeCount - 1; i >= 0; i--) {
             int entry = made[i];
             boolean isMoved = table[entry + IS_TURN] != 0 && i >= turnCount;

@@ -37,8 +37,10 @@ public final class Sampler {
     private static final int BEYOND = 0x5F35_6495;
     private static final int SCRAMBLE = 0x45D9_F3B3;
     /** Of paths: how many sequences that have nothing to do with each other, and how many points of one are taken before those of the next. */
-    public static final int SCRAMBLES = 8;
-    static final int RUN = 8;
+    private static final int SCRAMBLE_DIGITS = 3;
+    private static final int RUN_DIGITS = 3;
+    public static final int SCRAMBLES = 1 << SCRAMBLE_DIGITS;
+    static final int RUN = 1 << RUN_DIGITS;
     private static final long UNSIGNED = 0xFFFF_FFFFL;
     private static final double ULP = 0x1p-32;
 
@@ -46,6 +48,8 @@ public final class Sampler {
     private final boolean isOfPaths;
     /** Digits of the sample's number in a pixel, or in its sequence. */
     private final int bits;
+    private int column;
+    private int row;
     private int pixel;
     private int sample;
     /** Tells sequences apart. */
@@ -107,7 +111,7 @@ public final class Sampler {
 
     /** Of which sequence a sample of paths is. */
     public static int scramble(int number) {
-        return number / RUN % SCRAMBLES;
+        return number >>> RUN_DIGITS & (SCRAMBLES - 1);
     }
 
     /** The path of what is mirrored at the end of a path. */
@@ -122,7 +126,11 @@ public final class Sampler {
 
     /** Begins a sample, counted from 0, of a pixel, counted in the whole picture. */
     public void start(int x, int y, int number) {
-        pixel = fixed ? 0 : spread(x) | spread(y) << 1;
+        if (x != column || y != row) {
+            column = x;
+            row = y;
+            pixel = fixed ? 0 : spread(x) | spread(y) << 1;
+        }
         again(number);
     }
 
@@ -167,6 +175,23 @@ public final class Sampler {
         }
     }
 
+    /**
+     * As {@link #lights}, of one point of a path.
+     *
+     * @param asked what was asked there before
+     */
+    public void light(int path, int lamp, Asked asked) {
+        if (asked.is(path, lamp, points.plans)) {
+            at = points.again(asked);
+            return;
+        }
+        lights(path, lamp, 1);
+        if (at != PassPoints.ALONE) {
+            points.note(LIGHT + mixed(lamp + mixed(path)), asked);
+            asked.note(path, lamp, points.plans);
+        }
+    }
+
     /** The next point is which facet of a rough surface is met at the end of a path. */
     public void facet(int path) {
         dimension(FACET + mixed(path), sample, bits, 1);
@@ -182,13 +207,24 @@ public final class Sampler {
         dimension(DIRECTION + mixed(path), sample, bits, 1);
     }
 
-    /** Puts the direction that the point of {@link #direction} stands for, about the z axis and as often as its cosine is large, in {@link #x} and so on. */
-    public void strew(int path) {
-        int what = DIRECTION + mixed(path);
-        int which = isOfPaths ? points.findTurn(what) : PassPoints.ALONE;
-        if (which == PassPoints.ALONE) {
-            strewAlone(what);
-            return;
+    /**
+     * Puts the direction that the point of {@link #direction} stands for, about the z axis and as often as its cosine is large, in {@link #x} and so on.
+     *
+     * @param asked what was asked there before
+     */
+    public void strew(int path, Asked asked) {
+        int which;
+        if (asked.is(path, 0, points.plans)) {
+            which = points.turnAgain(asked);
+        } else {
+            int what = DIRECTION + mixed(path);
+            which = isOfPaths ? points.findTurn(what) : PassPoints.ALONE;
+            if (which == PassPoints.ALONE) {
+                strewAlone(what);
+                return;
+            }
+            points.note(what, asked);
+            asked.note(path, 0, points.plans);
         }
         x = turns.x[which];
         y = turns.y[which];
@@ -215,12 +251,12 @@ public final class Sampler {
     }
 
     private void dimension(int what, int first, int digits, int count) {
-        int perSample = digits(count);
-        size = digits + perSample;
-        number = first << perSample;
-        end = number + count;
         at = isOfPaths && count == 1 ? points.find(what) : PassPoints.ALONE;
         if (at == PassPoints.ALONE) {
+            int perSample = digits(count);
+            size = digits + perSample;
+            number = first << perSample;
+            end = number + count;
             begin(what);
         }
     }
@@ -232,7 +268,7 @@ public final class Sampler {
 
     /** Which number of its sequence a sample of paths has. */
     static int inSequence(int number) {
-        return number / (RUN * SCRAMBLES) * RUN + number % RUN;
+        return number >>> (RUN_DIGITS + SCRAMBLE_DIGITS) << RUN_DIGITS | (number & (RUN - 1));
     }
 
     private void sequence(int dimension) {

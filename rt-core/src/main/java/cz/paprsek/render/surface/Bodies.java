@@ -2,6 +2,7 @@ package cz.paprsek.render.surface;
 
 import cz.paprsek.math.Bounds;
 import cz.paprsek.render.hull.Hull;
+import cz.paprsek.render.hull.Loose;
 import cz.paprsek.render.hull.Walls;
 import cz.paprsek.shape.placed.Balls;
 import cz.paprsek.shape.placed.Ray;
@@ -44,6 +45,7 @@ public final class Bodies {
     private final Hull hull;
     /** Whether the tree is searched only from where bundles enter it. */
     private final boolean areLoose;
+    private final Loose loose;
     private final Surface[] endless;
     private final boolean[] endlessOpaque;
     private final int[] endlessOrder;
@@ -64,6 +66,7 @@ public final class Bodies {
         this.order = finite;
         this.hull = hull;
         this.areLoose = !hull.isNone() && finite.length <= LOOSE;
+        this.loose = new Loose(surfaces, opaque);
         this.endless = pick(all, infinite);
         this.endlessOpaque = pick(allOpaque, infinite);
         this.endlessOrder = infinite;
@@ -82,6 +85,7 @@ public final class Bodies {
         this.order = all.order;
         this.hull = hull;
         this.areLoose = false;
+        this.loose = all.loose;
         this.endless = pick(all.endless, endlessLeft);
         this.endlessOpaque = pick(all.endlessOpaque, endlessLeft);
         this.endlessOrder = all.endlessOrder;
@@ -231,9 +235,7 @@ public final class Bodies {
             surface.nearest(ray);
         }
         if (areLoose && entries == whole) {
-            for (Surface surface : surfaces) {
-                surface.nearest(ray);
-            }
+            loose.nearest(ray);
             return;
         }
         tree.nearest(finder, ray, entries, ray.reach);
@@ -251,17 +253,13 @@ public final class Bodies {
      */
     public @Nullable Surface occluder(Ray ray, Entries entries, Finder finder, Spans through) {
         for (int i = 0; i < endless.length; i++) {
-            if (blocks(endless[i], endlessOpaque[i], ray, through)) {
+            if (Loose.blocks(endless[i], endlessOpaque[i], ray, through)) {
                 return endless[i];
             }
         }
         if (areLoose && entries == whole) {
-            for (int i = 0; i < surfaces.length; i++) {
-                if (blocks(surfaces[i], opaque[i], ray, through)) {
-                    return surfaces[i];
-                }
-            }
-            return hull.occluder(ray);
+            Surface near = loose.occluder(ray, through);
+            return near == null ? hull.occluder(ray) : near;
         }
         finder.pushTo(through);
         if (tree.any(finder, ray, entries)) {
@@ -273,14 +271,6 @@ public final class Bodies {
         }
         Finder more = finder.beside;
         return more == null ? null : more.bodies.occluder(ray, more.bodies.whole(), more, through);
-    }
-
-    private static boolean blocks(Surface surface, boolean isOpaque, Ray ray, Spans through) {
-        if (isOpaque) {
-            return surface.occludes(ray);
-        }
-        surface.crossings(ray, through);
-        return false;
     }
 
     /** What is done at the leaves: scratch of one worker. */
@@ -342,7 +332,7 @@ public final class Bodies {
         @Override
         protected boolean stopsAt(Ray ray, int first, int end) {
             for (int i = end - 1; i >= first; i--) {
-                if (balls.mayBeMet(i, ray) && blocks(surfaces[i], opaque[i], ray, through)) {
+                if (balls.mayBeMet(i, ray) && Loose.blocks(surfaces[i], opaque[i], ray, through)) {
                     occluder = i;
                     return true;
                 }

@@ -88,6 +88,10 @@ public final class Media {
     }
 
     public void set(Media other) {
+        if ((other.size | other.passedSize) == 0) {
+            clear();
+            return;
+        }
         size = other.size;
         opaque = other.opaque;
         if (size > object.length) {

@@ -97,8 +97,16 @@ public abstract class Flat extends Surface implements Part {
         if (axis < 0) {
             return false;
         }
-        double from = (axis == 0 ? ray.ox : axis == 1 ? ray.oy : ray.oz) - place;
-        double to = from + ray.reach * (axis == 0 ? ray.dx : axis == 1 ? ray.dy : ray.dz);
+        double from = ray.ox - place;
+        double d = ray.dx;
+        if (axis == 1) {
+            from = ray.oy - place;
+            d = ray.dy;
+        } else if (axis == 2) {
+            from = ray.oz - place;
+            d = ray.dz;
+        }
+        double to = from + ray.reach * d;
         double slack = NEAR * (Math.abs(place) + ray.scale + ray.reach);
         // Then each of both is farther away than that, on the same side.
         return from * to > slack * (Math.abs(from) + Math.abs(to)) && ray.min >= -slack;
