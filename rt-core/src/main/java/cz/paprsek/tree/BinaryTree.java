@@ -1,17 +1,25 @@
 package cz.paprsek.tree;
 
+import java.util.Arrays;
+
 /**
  * The tree for any machine: an inner node n has two children. {@code child[2n]} and {@code child[2n + 1]} name them: an inner node if not
  * negative, else a leaf. {@code boxes[12n…]} holds the boxes of both, each as minimum x y z, maximum x y z.
  */
 final class BinaryTree extends Tree {
+    /** So many leaves are met by all lines of a frustum at once at most. */
+    private static final int ENOUGH = 48;
+
     private final double[] boxes;
     private final int[] child;
+    /** No number of a box is larger. */
+    private final double largest;
 
     BinaryTree(BinaryNodes nodes) {
         super(nodes.root, nodes.depth);
         this.boxes = nodes.boxes;
         this.child = nodes.child;
+        this.largest = Arrays.stream(boxes).map(Math::abs).max().orElse(0);
     }
 
     /** The nearest inner node is opened again and again until all are leaves, or there would be too many. */
@@ -35,6 +43,58 @@ final class BinaryTree extends Tree {
                 }
             }
         }
+    }
+
+    @Override
+    public void enter(Bundle bundle, Entries entries, Leaves taker) {
+        Frustum frustum = bundle.frustum();
+        // Of a leaf that is alone no box is known.
+        if (depth < 2) {
+            super.enter(bundle, entries, taker);
+            return;
+        }
+        frustum.aim(largest, depth + 1);
+        entries.clear();
+        int met = 0;
+        int top = push(frustum, 0, 0);
+        while (top > 0) {
+            int at = frustum.box[--top];
+            double near = frustum.near[top];
+            if (near >= taker.reach()) {
+                continue;
+            }
+            int subtree = child[at / 6];
+            if (subtree >= 0 && met < ENOUGH && entries.canHold(top + 2)) {
+                top = push(frustum, subtree, top);
+            } else if (subtree < 0 && taker.take(first(subtree), end(subtree))) {
+                met++;
+            } else {
+                entries.add(subtree, isQuick(subtree) ? Entries.ANYWHERE : at, Math.max(0, near));
+            }
+        }
+    }
+
+    /** Puts the children of a node that a frustum reaches into upon those to be visited, the nearer on top, and returns how many there are then. */
+    private int push(Frustum frustum, int node, int from) {
+        int left = 12 * node;
+        int right = left + 6;
+        boolean isLeft = frustum.meets(boxes, left);
+        boolean isRight = frustum.meets(boxes, right);
+        int top = from;
+        if (isLeft && isRight) {
+            double toLeft = frustum.distance(boxes, left);
+            double toRight = frustum.distance(boxes, right);
+            boolean isLeftFirst = toLeft <= toRight;
+            frustum.box[top] = isLeftFirst ? right : left;
+            frustum.near[top++] = isLeftFirst ? toRight : toLeft;
+            frustum.box[top] = isLeftFirst ? left : right;
+            frustum.near[top++] = isLeftFirst ? toLeft : toRight;
+        } else if (isLeft || isRight) {
+            int box = isLeft ? left : right;
+            frustum.box[top] = box;
+            frustum.near[top++] = frustum.distance(boxes, box);
+        }
+        return top;
     }
 
     @Override

@@ -48,6 +48,10 @@ public final class Frustum {
     private int firstY;
     private int firstZ;
 
+    /** The sides as a binary tree asks about them, each as x y z of its normal and what is added, and which of a box's six numbers are the corner that lies farthest inwards. */
+    private final double[] sides = new double[4 * SIDES];
+    private final int[] inmost = new int[3 * SIDES];
+
     /** Where the boxes begin that are to be visited, the nearest on top, and a t for each before which no line meets it. */
     int[] box = {};
     double[] near = {};
@@ -135,12 +139,56 @@ public final class Frustum {
         alongY = axisY * unit;
         alongZ = axisZ * unit;
         along = (axisX * mx + axisY * my + axisZ * mz - ROUNDING * (4 + far)) * unit;
-        int most = nodes.mostToVisit();
+        reserve(nodes.mostToVisit());
+        return true;
+    }
+
+    /**
+     * Makes ready to ask about boxes in doubles, six numbers each.
+     *
+     * @param largest no number of a box is larger
+     * @param most how many are ever left to visit
+     */
+    void aim(double largest, int most) {
+        double slack = ROUNDING * (3 * largest + size);
+        for (int i = 0; i < SIDES; i++) {
+            sides[4 * i] = nx[i];
+            sides[4 * i + 1] = ny[i];
+            sides[4 * i + 2] = nz[i];
+            sides[4 * i + 3] = slack - (nx[i] * ox + ny[i] * oy + nz[i] * oz);
+            inmost[3 * i] = nx[i] > 0 ? 3 : 0;
+            inmost[3 * i + 1] = ny[i] > 0 ? 4 : 1;
+            inmost[3 * i + 2] = nz[i] > 0 ? 5 : 2;
+        }
+        firstX = axisX > 0 ? 0 : 3;
+        firstY = axisY > 0 ? 1 : 4;
+        firstZ = axisZ > 0 ? 2 : 5;
+        along = -(axisX * ox + axisY * oy + axisZ * oz) - slack;
+        reserve(most);
+    }
+
+    /** Whether it reaches into the box whose six numbers start at b, or nearly. */
+    boolean meets(double[] boxes, int b) {
+        double[] s = sides;
+        int[] at = inmost;
+        double first = s[0] * boxes[b + at[0]] + s[1] * boxes[b + at[1]] + s[2] * boxes[b + at[2]] + s[3];
+        double second = s[4] * boxes[b + at[3]] + s[5] * boxes[b + at[4]] + s[6] * boxes[b + at[5]] + s[7];
+        double third = s[8] * boxes[b + at[6]] + s[9] * boxes[b + at[7]] + s[10] * boxes[b + at[8]] + s[11];
+        double fourth = s[12] * boxes[b + at[9]] + s[13] * boxes[b + at[10]] + s[14] * boxes[b + at[11]] + s[15];
+        return ((Double.doubleToRawLongBits(first) | Double.doubleToRawLongBits(second))
+                | (Double.doubleToRawLongBits(third) | Double.doubleToRawLongBits(fourth))) >= 0;
+    }
+
+    /** A t before which no line meets the box whose six numbers start at b: as long as the way to it along the axis, no way is. */
+    double distance(double[] boxes, int b) {
+        return axisX * boxes[b + firstX] + axisY * boxes[b + firstY] + axisZ * boxes[b + firstZ] + along;
+    }
+
+    private void reserve(int most) {
         if (box.length < most) {
             box = Arrays.copyOf(box, most);
             near = Arrays.copyOf(near, most);
         }
-        return true;
     }
 
     /**

@@ -38,6 +38,7 @@ class FrustumTest {
     @Test
     void noBoxIsPutLaterThanALineMeetsIt() {
         Random random = new Random(2);
+        int leftOut = 0;
         for (int round = 0; round < ROUNDS; round++) {
             double[] corners = corners(random, Math.pow(10, -4 * random.nextDouble()));
             double[] d = between(corners, random);
@@ -63,7 +64,12 @@ class FrustumTest {
             }
             bundle.frustum().push(nodes.data, slot, 0, 0);
             assertThat(bundle.frustum().near[0]).as("round %d", round).isLessThanOrEqualTo(t);
+            bundle.frustum().aim(21, 2);
+            assertThat(bundle.frustum().meets(boxes, 0)).as("round %d", round).isTrue();
+            assertThat(bundle.frustum().distance(boxes, 0)).as("round %d", round).isLessThanOrEqualTo(t);
+            leftOut += bundle.frustum().meets(boxes, 6) ? 0 : 1;
         }
+        assertThat(leftOut).as("boxes elsewhere").isGreaterThan(ROUNDS / 2);
     }
 
     /** Of four directions that nearly are one no planes are made, since they would be anywhere. */
