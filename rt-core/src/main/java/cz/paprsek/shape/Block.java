@@ -189,12 +189,8 @@ public record Block(
         private final double zy;
         private final double zz;
         private final double zt;
-        private final double minX;
-        private final double minY;
-        private final double minZ;
-        private final double maxX;
-        private final double maxY;
-        private final double maxZ;
+        /** Where its faces are along its axes. */
+        private final double[] planes;
         /** A ball around it, world space. */
         private final double middleX;
         private final double middleY;
@@ -217,12 +213,7 @@ public record Block(
             zy = toLocal.zy();
             zz = toLocal.zz();
             zt = toLocal.zt();
-            minX = min.x();
-            minY = min.y();
-            minZ = min.z();
-            maxX = max.x();
-            maxY = max.y();
-            maxZ = max.z();
+            planes = new double[] {min.x(), max.x(), min.y(), max.y(), min.z(), max.z()};
             Vec3 middle = toWorld.point(min.plus(max).times(0.5));
             double farthest = 0;
             for (int corner = 0; corner < 8; corner++) {
@@ -282,21 +273,28 @@ public record Block(
         /** As the other, by the same numbers, but without a branch before it is known whether anything is left: which way a ray goes cannot be foretold. */
         @Override
         protected boolean clip(Ray ray) {
-            double overX = 1 / (xx * ray.dx + xy * ray.dy + xz * ray.dz);
-            double overY = 1 / (yx * ray.dx + yy * ray.dy + yz * ray.dz);
-            double overZ = 1 / (zx * ray.dx + zy * ray.dy + zz * ray.dz);
-            if (!(Math.abs(overX) + Math.abs(overY) + Math.abs(overZ) <= Double.MAX_VALUE)) {
+            double alongX = alongX(ray);
+            double alongY = alongY(ray);
+            double alongZ = alongZ(ray);
+            double overX = 1 / alongX;
+            double overY = 1 / alongY;
+            double overZ = 1 / alongZ;
+            if (!areFinite(overX, overY, overZ)) {
                 return super.clip(ray);
             }
-            double x = xx * ray.ox + xy * ray.oy + xz * ray.oz + xt;
-            double y = yx * ray.ox + yy * ray.oy + yz * ray.oz + yt;
-            double z = zx * ray.ox + zy * ray.oy + zz * ray.oz + zt;
-            double enterX = Math.min((minX - x) * overX, (maxX - x) * overX);
-            double leaveX = Math.max((minX - x) * overX, (maxX - x) * overX);
-            double enterY = Math.min((minY - y) * overY, (maxY - y) * overY);
-            double leaveY = Math.max((minY - y) * overY, (maxY - y) * overY);
-            double enterZ = Math.min((minZ - z) * overZ, (maxZ - z) * overZ);
-            double leaveZ = Math.max((minZ - z) * overZ, (maxZ - z) * overZ);
+            int backX = isNegative(alongX);
+            int backY = isNegative(alongY);
+            int backZ = isNegative(alongZ);
+            double x = x(ray);
+            double y = y(ray);
+            double z = z(ray);
+            double[] ends = planes;
+            double enterX = (ends[backX] - x) * overX;
+            double leaveX = (ends[1 - backX] - x) * overX;
+            double enterY = (ends[2 + backY] - y) * overY;
+            double leaveY = (ends[3 - backY] - y) * overY;
+            double enterZ = (ends[4 + backZ] - z) * overZ;
+            double leaveZ = (ends[5 - backZ] - z) * overZ;
             double enterXY = Math.max(enterX, enterY);
             double leaveXY = Math.min(leaveX, leaveY);
             double enter = Math.max(enterXY, enterZ);
@@ -304,16 +302,45 @@ public record Block(
             if (!(enter < leave)) {
                 return false;
             }
-            int backX = isNegative(overX);
-            int backY = isNegative(overY);
-            int backZ = isNegative(overZ);
             int enterFace = enterY > enterX ? 2 + backY : backX;
             int leaveFace = leaveY < leaveX ? 3 - backY : 1 - backX;
-            ray.enter = enter;
-            ray.enterFace = enterZ > enterXY ? 4 + backZ : enterFace;
-            ray.leave = leave;
-            ray.leaveFace = leaveZ < leaveXY ? 5 - backZ : leaveFace;
+            put(ray, enter, enterZ > enterXY ? 4 + backZ : enterFace, leave, leaveZ < leaveXY ? 5 - backZ : leaveFace);
             return true;
+        }
+
+        private static boolean areFinite(double x, double y, double z) {
+            return Math.abs(x) + Math.abs(y) + Math.abs(z) <= Double.MAX_VALUE;
+        }
+
+        private static void put(Ray ray, double enter, int enterFace, double leave, int leaveFace) {
+            ray.enter = enter;
+            ray.enterFace = enterFace;
+            ray.leave = leave;
+            ray.leaveFace = leaveFace;
+        }
+
+        private double alongX(Ray ray) {
+            return xx * ray.dx + xy * ray.dy + xz * ray.dz;
+        }
+
+        private double alongY(Ray ray) {
+            return yx * ray.dx + yy * ray.dy + yz * ray.dz;
+        }
+
+        private double alongZ(Ray ray) {
+            return zx * ray.dx + zy * ray.dy + zz * ray.dz;
+        }
+
+        private double x(Ray ray) {
+            return xx * ray.ox + xy * ray.oy + xz * ray.oz + xt;
+        }
+
+        private double y(Ray ray) {
+            return yx * ray.ox + yy * ray.oy + yz * ray.oz + yt;
+        }
+
+        private double z(Ray ray) {
+            return zx * ray.ox + zy * ray.oy + zz * ray.oz + zt;
         }
 
         private static int isNegative(double x) {

@@ -131,12 +131,11 @@ public final class Carved {
         int entry = NONE;
         int exit = NONE;
         for (Convex body : common) {
-            if (!(body instanceof Ball ball ? ball.meets(ray) : body.meets(ray))) {
+            // Asked here and in no method that others call, too: so the JVM knows what bodies come here, and need not ask a table.
+            if (!(body instanceof Ball ball ? ball.meets(ray) : body.part == ray.left ? body.meets(ray) : body.clip(ray))) {
                 return NONE;
             }
             int at = ends.size();
-            ends.add(ray.enter, body.part, ray.enterFace);
-            ends.add(ray.leave, body.part, ray.leaveFace);
             if (ray.enter > enter) {
                 enter = ray.enter;
                 entry = at;
@@ -148,6 +147,8 @@ public final class Carved {
             if (!(enter < leave && enter < end && leave > begin)) {
                 return NONE;
             }
+            ends.add(ray.enter, body.part, ray.enterFace);
+            ends.add(ray.leave, body.part, ray.leaveFace);
         }
         int inner = ends.size();
         addOthers(ray, ends, begin, end);
@@ -185,7 +186,8 @@ public final class Carved {
         for (int i = 0; i < others.length; i++) {
             Convex body = others[i];
             Bounds box = boxes[i];
-            if ((box == null || ray.meets(box, begin, end)) && (body instanceof Ball ball ? ball.meets(ray) : body.meets(ray))) {
+            if ((box == null || ray.meets(box, begin, end))
+                    && (body instanceof Ball ball ? ball.meets(ray) : body.part == ray.left ? body.meets(ray) : body.clip(ray))) {
                 ends.add(ray.enter, body.part, flips ? ~ray.enterFace : ray.enterFace);
                 ends.add(ray.leave, body.part, flips ? ~ray.leaveFace : ray.leaveFace);
             }
