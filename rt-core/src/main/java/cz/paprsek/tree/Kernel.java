@@ -23,6 +23,11 @@ public abstract class Kernel {
 
     abstract Tree tree(BinaryNodes nodes);
 
+    /** The same for who always searches the whole: perhaps in less memory. */
+    Tree whole(BinaryNodes nodes) {
+        return tree(nodes);
+    }
+
     /**
      * The one with vectors needs a module that is there only if Java was told so, and a compiler that makes machine code of vectors: else each
      * of them is an object.

@@ -16,10 +16,12 @@ public abstract class Search<R> {
     final WideProbe wide = new WideProbe();
     /** The tree that is to know the line, if it has wide nodes. */
     private @Nullable WideNodes nodes;
+    /** The same if they are packed. */
+    private @Nullable PackedNodes packed;
     int[] node = {};
     int[] near = {};
     /** Leaves to be asked. */
-    final int[] leaves = new int[SOME + WideNodes.WIDTH];
+    final int[] leaves = new int[SOME + 2 * WideNodes.WIDTH];
     long visits;
 
     /** Called before the first box is asked about, and not at all if there is none: tells the line by {@link #along}. */
@@ -42,7 +44,9 @@ public abstract class Search<R> {
 
     /** Sets the line: its origin, its reciprocal direction, which must be finite, and between which t it counts. */
     protected final void along(double ox, double oy, double oz, double rx, double ry, double rz, double min, double max) {
-        if (nodes == null) {
+        if (packed != null) {
+            wide.set(packed, ox, oy, oz, rx, ry, rz, min, max);
+        } else if (nodes == null) {
             probe.set(ox, oy, oz, rx, ry, rz, min, max);
         } else {
             wide.set(nodes, ox, oy, oz, rx, ry, rz, min, max);
@@ -53,6 +57,18 @@ public abstract class Search<R> {
     final WideProbe aimAt(WideNodes among, R ray) {
         if (nodes != among) {
             nodes = among;
+            packed = null;
+            wide.reserve(among.mostToVisit());
+        }
+        aim(ray);
+        return wide;
+    }
+
+    /** Tells a packed tree the line. */
+    final WideProbe aimAt(PackedNodes among, R ray) {
+        if (packed != among) {
+            packed = among;
+            nodes = null;
             wide.reserve(among.mostToVisit());
         }
         aim(ray);
@@ -63,6 +79,9 @@ public abstract class Search<R> {
     final void aimAtBoxes(R ray) {
         if (nodes != null) {
             nodes = null;
+        }
+        if (packed != null) {
+            packed = null;
         }
         aim(ray);
     }

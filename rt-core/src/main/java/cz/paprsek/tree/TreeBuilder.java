@@ -91,9 +91,24 @@ public final class TreeBuilder {
      * @throws CancellationException if it was to stop
      */
     public Tree build() {
+        BinaryNodes nodes = nodes();
+        return Kernel.suitedTo(items.length, all).tree(nodes);
+    }
+
+    /**
+     * Builds the tree for who always searches the {@linkplain Tree#whole whole}: no bundle leads anywhere in it, and it may take less memory.
+     *
+     * @throws CancellationException if it was to stop
+     */
+    public Tree buildWhole() {
+        BinaryNodes nodes = nodes();
+        return Kernel.suitedTo(items.length, all).whole(nodes);
+    }
+
+    private BinaryNodes nodes() {
         int count = items.length;
         if (count == 0) {
-            return Kernel.suitedTo(0, 0).tree(new BinaryNodes(new double[0], new int[0], 0, 0, place -> 0, stop));
+            return new BinaryNodes(new double[0], new int[0], 0, 0, place -> 0, stop);
         }
         Subtree whole = new Subtree(count > FORK ? records() : new int[0], 0, count, 0, new int[0]);
         whole.invoke();
@@ -101,7 +116,7 @@ public final class TreeBuilder {
         int[] child = new int[2 * whole.count];
         int root = whole.write(0, nodes, child);
         int depth = root < 0 || count < Reinsertion.LEAST ? whole.depth : new Reinsertion(nodes, child, items, stop).run(whole.depth);
-        return Kernel.suitedTo(count, all).tree(new BinaryNodes(nodes, child, root, depth, costs(), stop));
+        return new BinaryNodes(nodes, child, root, depth, costs(), stop);
     }
 
     /** What the item at each place costs; mostly all cost the same, and nothing need be looked up. */

@@ -18,6 +18,9 @@ final class WideProbe {
     private static final double ORDINARY = 1 << 20;
     /** If it is less than one over 2 to this power, or as much more, all boxes are taken as met. */
     private static final int EXTREME = 500;
+    /** From farther away than so many steps of a grid, and with longer reciprocals of a direction in steps, floats could not tell whether a box is met. */
+    private static final double FAR_STEPS = 1e10;
+    private static final double MOST_STEPS = 1e30;
     private static final int LEAST = upper(1 / ORDINARY);
     private static final int MOST = upper(ORDINARY);
 
@@ -49,7 +52,7 @@ final class WideProbe {
     /** Nodes and leaves to visit, the nearest on top: where the line enters, and in the lower half its name. */
     long[] stack = {};
     int top;
-    final int[] lanes = new int[8];
+    final int[] lanes = new int[16];
 
     /** Makes room for so many nodes to visit. */
     void reserve(int most) {
@@ -110,9 +113,56 @@ final class WideProbe {
         top = 0;
     }
 
+    /**
+     * Takes over the line, as seen on the grid of a packed tree. A plane at q is crossed at t = q·r − o·r, of which the second product is rounded once, down for the planes crossed first and up for the others.
+     */
+    void set(PackedNodes nodes, double ox, double oy, double oz, double reciprocalX, double reciprocalY, double reciprocalZ, double min, double max) {
+        int least = Math.min(upper(reciprocalX), Math.min(upper(reciprocalY), upper(reciprocalZ)));
+        int exponent = least >= LEAST && least <= MOST ? 0 : (least >> 20) - Double.MAX_EXPONENT;
+        double x = (ox - nodes.centreX) * nodes.stepsX;
+        double y = (oy - nodes.centreY) * nodes.stepsY;
+        double z = (oz - nodes.centreZ) * nodes.stepsZ;
+        if (Math.abs(exponent) > EXTREME || !(Math.abs(x) + Math.abs(y) + Math.abs(z) < FAR_STEPS)) {
+            meetAll();
+            return;
+        }
+        int width = nodes.width;
+        scale = exponent == 0 ? nodes.scale : Math.scalb(nodes.scale, -exponent);
+        begin = Math.max(0, order(min));
+        end = order(max);
+        firstX = reciprocalX < 0 ? 3 * width / 2 : 0;
+        firstY = reciprocalY < 0 ? 2 * width : width / 2;
+        firstZ = reciprocalZ < 0 ? 5 * width / 2 : width;
+        rx = inSteps(reciprocalX * (scale / nodes.stepsX));
+        ry = inSteps(reciprocalY * (scale / nodes.stepsY));
+        rz = inSteps(reciprocalZ * (scale / nodes.stepsZ));
+        double cx = -x * rx;
+        double cy = -y * ry;
+        double cz = -z * rz;
+        double widerX = Math.abs(cx) * ROUNDING;
+        double widerY = Math.abs(cy) * ROUNDING;
+        double widerZ = Math.abs(cz) * ROUNDING;
+        nearX = (float) (cx - widerX);
+        nearY = (float) (cy - widerY);
+        nearZ = (float) (cz - widerZ);
+        farX = (float) (cx + widerX);
+        farY = (float) (cy + widerY);
+        farZ = (float) (cz + widerZ);
+        top = 0;
+    }
+
+    private static float inSteps(double r) {
+        return (float) (r > MOST_STEPS ? MOST_STEPS : r < -MOST_STEPS ? -MOST_STEPS : r);
+    }
+
+    /** Whether all boxes are taken as met. */
+    boolean meetsAll() {
+        return rx == Float.MIN_VALUE;
+    }
+
     /** Takes note that the line has become shorter. */
     void end(double max) {
-        if (rx != Float.MIN_VALUE) {
+        if (!meetsAll()) {
             end = order(max);
         }
     }

@@ -10,6 +10,11 @@ final class WideKernel extends Kernel {
     }
 
     @Override
+    Tree whole(BinaryNodes nodes) {
+        return PackedNodes.of(nodes, PackedTree.WIDTH).<Tree>map(PackedTree::new).orElseGet(() -> tree(nodes));
+    }
+
+    @Override
     String name() {
         return "vectors of " + WideNodes.WIDTH + " floats";
     }

@@ -24,14 +24,31 @@ class TreeTest {
         "60000, 1, 0, 1", "60000, 1e45, 0, 1", "60000, 1e-3, 1e3, 1e7", "60000, 1e-45, 0, 1e89"
     })
     void aTreeFindsWhatAskingEveryBoxFinds(int count, double size, double middle, double distance) {
+        compare(count, size, middle, distance, false);
+    }
+
+    /** One that is searched as a whole only, and may be packed: the same as above, where there is one grid for all, and lines begin farther away than that tells anything. */
+    @ParameterizedTest
+    @CsvSource({
+        "1, 1, 0, 1", "9, 1, 0, 1", "100, 1, 0, 1", "3000, 1, 0, 1", "3000, 1, 0, 1e3", "3000, 1, 1e6, 1", "500, 1e45, 0, 1", "500, 1e-45, 0, 1", "500, 1e-45, 0, 1e6",
+        "500, 1e-3, 1e3, 1e7", "500, 1e-40, 0, 1e40", "500, 1, 0, 1e35", "500, 1e-45, 0, 1e89", "60000, 1, 0, 1", "60000, 1e45, 0, 1e4"
+    })
+    void aTreeOfTheWholeFindsWhatAskingEveryBoxFinds(int count, double size, double middle, double distance) {
+        compare(count, size, middle, distance, true);
+    }
+
+    private static void compare(int count, double size, double middle, double distance, boolean isWhole) {
         Random random = new Random(count);
         Boxes boxes = new Boxes(random, count, size, middle);
-        Tree tree = boxes.build();
+        Tree tree = boxes.build(isWhole);
+        if (count >= 3000) {
+            assertThat(isPacked(tree)).isEqualTo(isWhole && Kernel.inUse().startsWith("vectors"));
+        }
         Finder finder = new Finder(boxes);
         Entries entries = new Entries(24);
         Bundle bundle = new Bundle();
         int found = 0;
-        int lines = count > 10_000 ? 100 : 2000;
+        int lines = count > 10_000 ? 100 : isWhole ? 500 : 2000;
         for (int i = 0; i < lines; i++) {
             Line line = Line.through(random, boxes, size, middle, distance, i % 4);
             BitSet expected = new BitSet();
@@ -65,9 +82,14 @@ class TreeTest {
         "1e45, 1e-45", "1e45, 1e45", "1e-45, 1e-45", "1e-45, 1e45"
     })
     void howLongADirectionIsMakesNoDifference(double size, double length) {
+        scale(size, length, false);
+        scale(size, length, true);
+    }
+
+    private static void scale(double size, double length, boolean isWhole) {
         Random random = new Random(3);
         Boxes boxes = new Boxes(random, 3000, size, 0);
-        Tree tree = boxes.build();
+        Tree tree = boxes.build(isWhole);
         Finder finder = new Finder(boxes);
         int found = 0;
         for (int i = 0; i < 200; i++) {
@@ -90,6 +112,30 @@ class TreeTest {
         if (Math.abs(Math.log10(length)) < 100) {
             assertThat(finder.visits()).as("not everything is asked").isLessThan(200_000);
         }
+    }
+
+    private static boolean isPacked(Tree tree) {
+        return tree.getClass().getSimpleName().equals("PackedTree");
+    }
+
+    /** What is as small as a step or two of a grid over all would be met by whoever comes near it. */
+    @Test
+    void whatIsSmallOnAWideFloorIsNotPacked() {
+        Random random = new Random(5);
+        Boxes boxes = new Boxes(random, 3000, 1e-4, 0);
+        System.arraycopy(new double[] {-10, -10, -1e-4, 10, 10, -1e-4}, 0, boxes.box, 0, 6);
+        Tree tree = boxes.build(true);
+        assertThat(isPacked(tree)).isFalse();
+        Finder finder = new Finder(boxes);
+        for (int i = 0; i < 300; i++) {
+            Line line = Line.through(random, boxes, 1e-4, 0, 2, 0);
+            double nearest = line.end;
+            for (int k = 0; k < 3000; k++) {
+                nearest = Math.min(nearest, line.enter(boxes.box, 6 * k));
+            }
+            assertThat(finder.nearest(tree, line, tree.whole())).isEqualTo(nearest);
+        }
+        assertThat(finder.met).isLessThan(30_000);
     }
 
     @Test
@@ -129,11 +175,15 @@ class TreeTest {
         Boxes boxes = new Boxes(new Random(1), 200_000, 1, 0);
         Set<Class<?>> asking = ConcurrentHashMap.newKeySet();
         StackWalker walker = StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE);
-        new TreeBuilder(ItemBoxes.of(boxes.box), boxes.order, boxes.cost, () -> {
+        TreeBuilder builder = new TreeBuilder(ItemBoxes.of(boxes.box), boxes.order, boxes.cost, () -> {
             walker.forEach(frame -> asking.add(frame.getDeclaringClass()));
             return false;
-        }).build();
+        });
+        builder.build();
         assertThat(asking).contains(Bins.class, Reinsertion.class, Collapse.class, WideNodes.class);
+        if (isPacked(builder.buildWhole())) {
+            assertThat(asking).contains(PackedNodes.class);
+        }
     }
 
     /** Boxes around random points, small ones mostly, a few flat or of no size at all, and some twice in one place. */
@@ -161,6 +211,10 @@ class TreeTest {
         }
 
         Tree build() {
+            return build(false);
+        }
+
+        Tree build(boolean isWhole) {
             double[] padded = box.clone();
             for (int b = 0; b < box.length; b += 6) {
                 double magnitude = 0;
@@ -172,7 +226,8 @@ class TreeTest {
                     padded[b + 3 + k] += 1e-12 * magnitude;
                 }
             }
-            return new TreeBuilder(ItemBoxes.of(padded), order, cost, () -> false).build();
+            TreeBuilder builder = new TreeBuilder(ItemBoxes.of(padded), order, cost, () -> false);
+            return isWhole ? builder.buildWhole() : builder.build();
         }
     }
 

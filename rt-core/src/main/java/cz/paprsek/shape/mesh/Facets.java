@@ -41,7 +41,7 @@ final class Facets {
         float[] cost = new float[count];
         Arrays.fill(cost, COST);
         // Building puts the numbers into the order of the leaves.
-        tree = new TreeBuilder((t, to, at) -> putBox(vertices, t, margin, to, at), numbers, cost, stop).build();
+        tree = new TreeBuilder((t, to, at) -> putBox(vertices, t, margin, to, at), numbers, cost, stop).buildWhole();
         boolean areFloats = Arrays.stream(places).allMatch(x -> x == (float) x);
         own = new float[areFloats ? 9 * count : 0];
         corners = new int[areFloats ? 0 : 3 * count];
