@@ -1,5 +1,6 @@
 package cz.paprsek.scene;
 
+import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.scene.ScenePath.BodyAt;
@@ -90,7 +91,12 @@ final class Bodies {
             names.add(picture.file());
         }
         scene.materials().values().forEach(material -> names.addAll(material.files()));
-        scene.objects().forEach(object -> addFiles(object.material(), object.shape(), names));
+        MaterialSource before = Inherited.INHERITED;
+        for (SceneObject object : scene.objects()) {
+            // Neighbours are often of one material, which is asked once.
+            addFiles(object.material() == before ? Inherited.INHERITED : object.material(), object.shape(), names);
+            before = object.material();
+        }
         return Collections.unmodifiableSortedSet(names);
     }
 

@@ -9,6 +9,7 @@ import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.xml.bind.RootElement;
 import cz.paprsek.xml.format.SceneFormat;
+import cz.paprsek.xml.quick.QuickReader;
 import cz.paprsek.xml.write.SceneWriter;
 import java.io.IOException;
 import java.io.InputStream;
@@ -305,7 +306,7 @@ public final class SceneFiles {
     /** Whether a file says of itself that it is a database; no more than its beginning is read, which of a pipe would be lost: see {@link #contents}. */
     public static boolean isDatabase(Path file) throws IOException {
         checkReadable(file);
-        return RootElement.is("database", file);
+        return !QuickReader.isScene(file) && RootElement.is("database", file);
     }
 
     /**

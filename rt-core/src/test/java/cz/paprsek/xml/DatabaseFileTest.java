@@ -20,6 +20,8 @@ import java.util.concurrent.Future;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class DatabaseFileTest {
     private static final Scene ONE = Scene.EMPTY.withName("one");
@@ -107,6 +109,21 @@ class DatabaseFileTest {
             System.setErr(before);
         }
         assertThat(told.toString(StandardCharsets.UTF_8)).doesNotContain("Error");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '\u0000', value = {
+        "true  | <database xmlns='urn:paprsek:scene:1'/>",
+        "true  | <!-- <scene> --><database xmlns='urn:paprsek:scene:1'>",
+        "true  | <scene:database xmlns:scene='urn:paprsek:scene:1'/>",
+        "false | <scene xmlns='urn:paprsek:scene:1'/>",
+        "false | <?xml version='1.0'?><!-- <database> --><scene>",
+        "false | <scene.database xmlns='urn:paprsek:scene:1'/>",
+        "false | <scene",
+        "false | <database/>",
+        "false | </database>"})
+    void whetherAFileIsADatabaseIsToldByItsFirstElement(boolean isDatabase, String text) throws Exception {
+        assertThat(SceneFiles.isDatabase(Files.writeString(folder.resolve("a.xml"), text.replace('\'', '"')))).isEqualTo(isDatabase);
     }
 
     @Test

@@ -3,7 +3,9 @@ package cz.paprsek.xml;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
 import cz.paprsek.xml.SceneFiles.Contents;
+import cz.paprsek.xml.format.SceneFormat;
 import cz.paprsek.xml.quick.QuickReader;
 import cz.paprsek.xml.recipe.Script;
 import java.io.ByteArrayInputStream;
@@ -177,6 +179,33 @@ class QuickReaderTest {
             quickly += check(bad.toByteArray()).isPresent() ? 1 : 0;
         }
         assertThat(quickly).as("damaged files that are still good").isBetween(150, 1200);
+    }
+
+    /** Also where the reader's buffer ends between two, whatever white space there is, and as deep as elements may be. */
+    @Test
+    void neighboursOfOneMaterialShareIt() throws IOException {
+        List<String> materials = List.of("<material color='1 2 3'/>", "<material reflection='0.5'><!-- so --><checker size='2'/></material>", "<material\n  color='3 2\n1' ></material >", "<material/>");
+        StringBuilder bodies = new StringBuilder();
+        for (int i = 0; i < 12_000; i++) {
+            bodies.append("<sphere radius='").append(1 + i % 9).append("'>").append(materials.get(i / 5 % 4)).append("</sphere>\n");
+        }
+        assertThat(bodies.length()).isGreaterThan(2 << 18);
+        List<SceneObject> read = check(bytes(scene(bodies.toString()))).orElseThrow().get(0).objects();
+        assertThat(read).hasSize(12_000);
+        assertThat(read.get(4).material()).isSameAs(read.get(0).material()).isNotEqualTo(read.get(5).material());
+        assertThat(read.get(20).material()).isEqualTo(read.get(0).material());
+    }
+
+    @Test
+    void aMaterialThatWasReadIsStillTooDeepFurtherIn() throws IOException {
+        String material = "<material><checker size='2'/></material>";
+        for (int depth = SceneFormat.DEEPEST - 5; depth <= SceneFormat.DEEPEST; depth++) {
+            String nest = "<sphere radius='1'>" + material + "</sphere>";
+            for (int i = 0; i < depth; i++) {
+                nest = "<union>" + (i % 2 == 0 ? material : "") + nest + "<sphere radius='1'/></union>";
+            }
+            check(bytes(scene(nest)));
+        }
     }
 
     /** What the quick reader makes of a file, having seen that the thorough one makes the same. */

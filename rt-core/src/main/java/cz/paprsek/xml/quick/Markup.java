@@ -16,6 +16,8 @@ final class Markup {
     private static final int BUFFER = 1 << 18;
     /** The longest value, and what is looked at at once, in bytes: a tag, comment or text that is cut by the end of the buffer is too long. */
     private static final int LONGEST = 1 << 16;
+    /** What is kept of what was read, at most, in bytes. */
+    private static final int LONGEST_KEPT = 1 << 12;
     private static final String DECLARATION = "<\\?xml version=(['\"])1\\.0\\1( encoding=(['\"])[uU][tT][fF]-8\\3)?( standalone=(['\"])(yes|no)\\5)?\\s*\\?>";
 
     private final InputStream input;
@@ -25,6 +27,9 @@ final class Markup {
     /** Where the buffer's content ends; there stands a 0, which XML does not have, so that no loop need look for the end. */
     private int end;
     private boolean isAllRead;
+    /** How much of the file is before the buffer. */
+    private long dropped;
+    private byte[] kept = {};
     private int nameFrom;
     private int nameTo;
     private int valueFrom;
@@ -66,6 +71,25 @@ final class Markup {
         at += isStart ? 0 : 1;
         name();
         return isStart;
+    }
+
+    /** Up to where the file has been read, in bytes. */
+    long place() {
+        return dropped + at;
+    }
+
+    /** Keeps what was read from a place on, if that is not long and still at hand. */
+    void keep(long place) {
+        long from = place - dropped;
+        kept = from >= 0 && at - from <= LONGEST_KEPT ? Arrays.copyOfRange(buffer, (int) from, at) : new byte[0];
+    }
+
+    /** Moves behind what comes next, if that is what was kept; whether it is. */
+    boolean isKeptOnceMore() {
+        int behind = at + kept.length;
+        boolean isKept = kept.length > 0 && behind <= end && Arrays.equals(buffer, at, behind, kept, 0, kept.length);
+        at = isKept ? behind : at;
+        return isKept;
     }
 
     /** Whether the tag or the attribute at hand has this name. */
@@ -280,6 +304,7 @@ final class Markup {
         if (!isAllRead) {
             System.arraycopy(buffer, at, buffer, 0, end - at);
             end -= at;
+            dropped += at;
             at = 0;
             int read = input.readNBytes(buffer, end, BUFFER - end);
             isAllRead = read < BUFFER - end;

@@ -42,6 +42,9 @@ final class MaterialReader {
 
     private final Markup markup;
     private final double[] room;
+    private Named last = new Named("", Material.DEFAULT);
+    /** In how many elements the last one was; 0 before there is one. */
+    private int lastDepth;
 
     /** @param room for three numbers */
     MaterialReader(Markup markup, double[] room) {
@@ -56,8 +59,18 @@ final class MaterialReader {
     /** A material with its name, which is empty if it has none. */
     record Named(String name, Material material) {}
 
-    /** The material whose start tag is at hand. */
+    /** The material whose start tag is at hand: the last one, if it is written as that was, as neighbours often are. */
     Named read(int depth) throws IOException {
+        if (depth > lastDepth || !markup.isKeptOnceMore()) {
+            long place = markup.place();
+            last = another(depth);
+            lastDepth = depth;
+            markup.keep(place);
+        }
+        return last;
+    }
+
+    private Named another(int depth) throws IOException {
         Object[] values = TAG.read(markup, room);
         Pattern pattern = null;
         Object[] shares = Collections.nCopies(SHARES.size(), new Even()).toArray();

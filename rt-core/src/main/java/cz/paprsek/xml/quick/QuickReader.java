@@ -4,6 +4,8 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.format.FileScenes;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -31,6 +33,19 @@ public final class QuickReader {
             return Optional.of(new QuickReader(new Markup(input)).file());
         } catch (IllegalArgumentException unusual) {
             return Optional.empty();
+        }
+    }
+
+    /** Whether a file's first element is a {@code <scene>}; not if that is not easily seen. Java's parser takes longer to be made than a small scene to be read. */
+    public static boolean isScene(Path file) throws IOException {
+        try (InputStream input = Files.newInputStream(file)) {
+            Markup markup = new Markup(input);
+            boolean isScene = markup.nextTag() && markup.isNamed(WholeSceneReader.SCENE);
+            // Behind the name there must be something else than more of it.
+            markup.nextAttribute();
+            return isScene;
+        } catch (IllegalArgumentException unusual) {
+            return false;
         }
     }
 

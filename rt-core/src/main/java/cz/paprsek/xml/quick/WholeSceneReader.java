@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Reads {@code <scene>}: what is inside comes in any order. */
 final class WholeSceneReader {
-    private static final byte[] SCENE = Slot.ascii("scene");
+    static final byte[] SCENE = Slot.ascii("scene");
     private static final byte[] DESCRIPTION = Slot.ascii("description");
     private static final byte[] RENDER = Slot.ascii("render");
     private static final byte[] BACKGROUND = Slot.ascii("background");
