@@ -1,5 +1,7 @@
 package cz.paprsek.tree;
 
+import java.util.Optional;
+
 /** What makes trees and searches them: one for any machine, and one for those whose vectors hold eight floats. Both find the same. */
 public abstract class Kernel {
     /** What was asked for: {@code scalar} or {@code vector} for all trees; else each gets what suits it. */
@@ -17,6 +19,15 @@ public abstract class Kernel {
     /** The one for a tree over so many items which cost so much to meet, all together. */
     static Kernel suitedTo(int items, double cost) {
         return items == 0 || (items < MANY * (cost / items) && !"vector".equals(WISH)) ? SCALAR : BEST;
+    }
+
+    static Optional<Row> row(double[] balls) {
+        return BEST.rowOf(balls);
+    }
+
+    /** What asks a few balls at once, if it is faster so. */
+    Optional<Row> rowOf(double[] balls) {
+        return Optional.empty();
     }
 
     abstract String name();

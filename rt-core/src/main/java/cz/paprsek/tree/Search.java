@@ -42,6 +42,11 @@ public abstract class Search<R> {
         return visits;
     }
 
+    /** Counts leaves that are met without a tree. */
+    protected final void visit(int leaves) {
+        visits += leaves;
+    }
+
     /** Sets the line: its origin, its reciprocal direction, which must be finite, and between which t it counts. */
     protected final void along(double ox, double oy, double oz, double rx, double ry, double rz, double min, double max) {
         if (packed != null) {

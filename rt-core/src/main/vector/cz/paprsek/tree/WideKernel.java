@@ -1,5 +1,6 @@
 package cz.paprsek.tree;
 
+import java.util.Optional;
 import jdk.incubator.vector.FloatVector;
 
 /** Trees of eight children a node, all asked about at once. Loaded by name, and only where the module {@code jdk.incubator.vector} is present. */
@@ -12,6 +13,11 @@ final class WideKernel extends Kernel {
     @Override
     Tree whole(BinaryNodes nodes) {
         return PackedNodes.of(nodes, PackedTree.WIDTH).<Tree>map(PackedTree::new).orElseGet(() -> tree(nodes));
+    }
+
+    @Override
+    Optional<Row> rowOf(double[] balls) {
+        return Optional.of(new WideRow(balls));
     }
 
     @Override

@@ -3,10 +3,11 @@ package cz.paprsek.render.hull;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
+import cz.paprsek.tree.Row;
 import org.jspecify.annotations.Nullable;
 
 /** A few bodies within walls, met as they come: boxes around them cost more. Immutable. */
-public final class Loose {
+public class Loose {
     private final Surface[] surfaces;
     private final boolean[] opaque;
     private final boolean areOpaque;
@@ -22,8 +23,17 @@ public final class Loose {
         areOpaque = all;
     }
 
-    /** As of a surface. */
-    public void nearest(Ray ray) {
+    /** As how many leaves of a tree they count. */
+    public int visits() {
+        return 0;
+    }
+
+    /**
+     * As of a surface.
+     *
+     * @param scratch of the worker's, {@link Row#MOST} numbers
+     */
+    public void nearest(Ray ray, double[] scratch) {
         for (Surface surface : surfaces) {
             surface.nearest(ray);
         }
@@ -33,9 +43,10 @@ public final class Loose {
      * Looks for what stands between the ray's min and max.
      *
      * @param through receives the boundaries of transparent bodies; incomplete if the answer is not null
+     * @param scratch as above
      * @return the first opaque body found, or null
      */
-    public @Nullable Surface occluder(Ray ray, Spans through) {
+    public @Nullable Surface occluder(Ray ray, Spans through, double[] scratch) {
         if (areOpaque) {
             for (Surface surface : surfaces) {
                 if (surface.occludes(ray)) {

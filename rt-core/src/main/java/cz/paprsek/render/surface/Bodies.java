@@ -1,6 +1,7 @@
 package cz.paprsek.render.surface;
 
 import cz.paprsek.math.Bounds;
+import cz.paprsek.render.hull.Few;
 import cz.paprsek.render.hull.Hull;
 import cz.paprsek.render.hull.Loose;
 import cz.paprsek.render.hull.Walls;
@@ -13,11 +14,13 @@ import cz.paprsek.shape.placed.Volume;
 import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
 import cz.paprsek.tree.ItemBoxes;
+import cz.paprsek.tree.Row;
 import cz.paprsek.tree.Search;
 import cz.paprsek.tree.Tree;
 import cz.paprsek.tree.TreeBuilder;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -43,7 +46,7 @@ public final class Bodies {
     private final int[] order;
     /** Walls around the others, which are not in the tree. */
     private final Hull hull;
-    /** Whether the tree is searched only from where bundles enter it. */
+    /** Whether a ray of which nothing is known meets all without the tree. */
     private final boolean areLoose;
     private final Loose loose;
     private final Surface[] endless;
@@ -65,8 +68,10 @@ public final class Bodies {
         this.count = all.length;
         this.order = finite;
         this.hull = hull;
-        this.areLoose = !hull.isNone() && finite.length <= LOOSE;
-        this.loose = new Loose(surfaces, opaque);
+        boolean areWithin = !hull.isNone() && finite.length <= LOOSE;
+        Optional<Row> row = areWithin || !areFew() ? Optional.empty() : balls.row();
+        this.areLoose = areWithin || row.isPresent();
+        this.loose = row.<Loose>map(known -> new Few(surfaces, opaque, known)).orElseGet(() -> new Loose(surfaces, opaque));
         this.endless = pick(all, infinite);
         this.endlessOpaque = pick(allOpaque, infinite);
         this.endlessOrder = infinite;
@@ -235,7 +240,7 @@ public final class Bodies {
             surface.nearest(ray);
         }
         if (areLoose && entries == whole) {
-            loose.nearest(ray);
+            loose.nearest(ray, finder.scratchOf(loose));
             return;
         }
         tree.nearest(finder, ray, entries, ray.reach);
@@ -258,7 +263,7 @@ public final class Bodies {
             }
         }
         if (areLoose && entries == whole) {
-            Surface near = loose.occluder(ray, through);
+            Surface near = loose.occluder(ray, through, finder.scratchOf(loose));
             return near == null ? hull.occluder(ray) : near;
         }
         finder.pushTo(through);
@@ -283,6 +288,7 @@ public final class Bodies {
         private final @Nullable Finder beside;
         private Spans through = new Spans();
         private int occluder;
+        private final double[] scratch = new double[Row.MOST];
         /** Where the ray starts, for the tree: not before its origin, or a little. */
         private double back;
 
@@ -297,6 +303,11 @@ public final class Bodies {
         /** The number of tree nodes visited so far. */
         public final long visited() {
             return visits() + (beside == null ? 0 : beside.visited());
+        }
+
+        private double[] scratchOf(Loose among) {
+            visit(among.visits());
+            return scratch;
         }
 
         private void pushTo(Spans spans) {

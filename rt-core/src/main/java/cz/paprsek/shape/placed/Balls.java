@@ -2,7 +2,9 @@ package cz.paprsek.shape.placed;
 
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.tree.Row;
 import java.util.Arrays;
+import java.util.Optional;
 
 /**
  * Balls side by side, to find out which of a row of surfaces a ray passes by: asking those by themselves takes a call and a walk through
@@ -70,6 +72,11 @@ public final class Balls {
     /** Whether there is a ball around any of the surfaces. */
     public boolean areAny() {
         return values.length > 0;
+    }
+
+    /** All of them in a row, if that is asked sooner than one by one. */
+    public Optional<Row> row() {
+        return Row.of(values);
     }
 
     /** Whether there is a ball around each of a row. */
