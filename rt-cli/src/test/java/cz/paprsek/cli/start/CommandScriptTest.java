@@ -162,6 +162,9 @@ class CommandScriptTest extends StartScript {
             "false | <render samples=\"{n}\"/><sphere/>                     | -q",
             "false | <render integrator=\"path\"/><sphere/>                 | -q",
             "false | <mesh file=\"m.stl\"/>                                 | -q",
+            "false | <mesh\tfile=\"m.stl\"/>                               | -q",
+            "false | <render samples='16'/><sphere/>                      | -q",
+            "false | <render width = \"2000\"/><sphere/>                  | -q",
             "false | <repeat count=\"9\"><sphere/></repeat>                 | -q",
             "false | <area-light position=\"1 2 3\"/><sphere/>              | -q"})
     void aShortCallIsCompiledQuickly(boolean isQuick, String content, String words) throws Exception {
