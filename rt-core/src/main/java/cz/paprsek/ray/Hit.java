@@ -39,6 +39,9 @@ public final class Hit {
     public double green;
     public double blue;
 
+    /** What who was hit has left for itself to describe the hit sooner, or what another one has: it tells by itself which. */
+    public int hint;
+
     private double[] room = {};
 
     /** Scratch of at least so many numbers, for a surface while it describes the hit. */

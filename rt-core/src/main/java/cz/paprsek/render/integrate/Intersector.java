@@ -53,6 +53,7 @@ final class Intersector {
         hit.px = ray.ox + ray.max * ray.dx;
         hit.py = ray.oy + ray.max * ray.dy;
         hit.pz = ray.oz + ray.max * ray.dz;
+        hit.hint = ray.hint;
         hit.size = ray.max + Math.abs(hit.px) + Math.abs(hit.py) + Math.abs(hit.pz);
         if (glows.has(ray.part)) {
             glows.describe(ray.part, ray.face, hit);

@@ -1,6 +1,7 @@
 package cz.paprsek.shape.mesh;
 
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.tree.Tree;
 import cz.paprsek.tree.TreeBuilder;
 import java.util.Arrays;
@@ -16,16 +17,20 @@ final class Facets {
     /** What it takes to meet a triangle, in units of what a sphere takes, as measured: with 1, vectors meet a tenth fewer shadow rays in a second. */
     private static final float COST = 2;
 
+    /** How many numbers a triangle takes among {@link #corners}, and among those of {@link #own}. */
+    static final int EACH = 4;
+    static final int EACH_OWN = 10;
+
     final double[] places;
-    /** In the order of the tree's leaves: the corners of each triangle, as where their coordinates begin, and its number. No corners if there are {@link #own}. */
+    /** In the order of the tree's leaves: the corners of each triangle, as where their coordinates begin, and its number. Empty if there are {@link #own}. */
     final int[] corners;
-    final int[] numbers;
     /**
-     * In the order of the tree's leaves: x y z of the three corners of each triangle, where all coordinates are floats, as in most files; else empty. A ray that
-     * goes where none has been before waits for memory once a leaf, rather than for the corners and then for their places.
+     * In the order of the tree's leaves: x y z of the three corners of each triangle, and its number as bits, where all coordinates are floats, as in most files; else empty. A ray that
+     * goes where none has been before waits for memory once a leaf, rather than for the corners, their places and the number in turn.
      */
     final float[] own;
     final Tree tree;
+    private final int count;
     /** The box around all, grown likewise. */
     final Bounds box;
 
@@ -33,30 +38,50 @@ final class Facets {
     Facets(Triangles mesh, BooleanSupplier stop) {
         places = mesh.places();
         int[] vertices = mesh.corners();
-        int count = mesh.count();
+        count = mesh.count();
         double margin = MARGIN * mesh.bounds().magnitude();
         box = mesh.bounds().grown(margin);
-        numbers = new int[count];
+        int[] numbers = new int[count];
         Arrays.setAll(numbers, t -> t);
         float[] cost = new float[count];
         Arrays.fill(cost, COST);
         // Building puts the numbers into the order of the leaves.
         tree = new TreeBuilder((t, to, at) -> putBox(vertices, t, margin, to, at), numbers, cost, stop).buildWhole();
         boolean areFloats = Arrays.stream(places).allMatch(x -> x == (float) x);
-        own = new float[areFloats ? 9 * count : 0];
-        corners = new int[areFloats ? 0 : 3 * count];
+        own = new float[areFloats ? EACH_OWN * count : 0];
+        corners = new int[areFloats ? 0 : EACH * count];
         for (int i = 0; i < count; i++) {
+            if (areFloats) {
+                own[EACH_OWN * i + 9] = Float.intBitsToFloat(numbers[i]);
+            } else {
+                corners[EACH * i + 3] = numbers[i];
+            }
             for (int k = 0; k < 3; k++) {
                 int at = 3 * vertices[3 * numbers[i] + k];
                 if (areFloats) {
                     for (int axis = 0; axis < 3; axis++) {
-                        own[9 * i + 3 * k + axis] = (float) places[at + axis];
+                        own[EACH_OWN * i + 3 * k + axis] = (float) places[at + axis];
                     }
                 } else {
-                    corners[3 * i + k] = at;
+                    corners[EACH * i + k] = at;
                 }
             }
         }
+    }
+
+    /** The number of the triangle at a place in the order of the leaves. */
+    int number(int place) {
+        return own.length > 0 ? Float.floatToRawIntBits(own[EACH_OWN * place + 9]) : corners[EACH * place + 3];
+    }
+
+    /** Whether a place in the order of the leaves, any number, is that of a triangle. */
+    boolean isAt(int place, int triangle) {
+        return place >= 0 && place < count && number(place) == triangle;
+    }
+
+    /** The {@linkplain Measures#product normal} of the triangle at a place, as its corners give it. */
+    Vec3 product(int place) {
+        return own.length > 0 ? Measures.product(own, EACH_OWN * place) : Measures.product(places, corners[EACH * place], corners[EACH * place + 1], corners[EACH * place + 2]);
     }
 
     private void putBox(int[] vertices, int triangle, double margin, double[] to, int at) {

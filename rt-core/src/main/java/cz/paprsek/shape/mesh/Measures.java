@@ -19,12 +19,19 @@ final class Measures {
 
     /** The product (b − a) × (c − a) of two sides of a triangle, of which the corners' places begin there: its normal, twice as long as it is large. */
     static Vec3 product(double[] places, int a, int b, int c) {
-        double ux = places[b] - places[a];
-        double uy = places[b + 1] - places[a + 1];
-        double uz = places[b + 2] - places[a + 2];
-        double vx = places[c] - places[a];
-        double vy = places[c + 1] - places[a + 1];
-        double vz = places[c + 2] - places[a + 2];
+        return product(places[b] - places[a], places[b + 1] - places[a + 1], places[b + 2] - places[a + 2],
+                places[c] - places[a], places[c + 1] - places[a + 1], places[c + 2] - places[a + 2]);
+    }
+
+    /** The same of corners that are floats, one after the other. */
+    static Vec3 product(float[] at, int a) {
+        double x = at[a];
+        double y = at[a + 1];
+        double z = at[a + 2];
+        return product(at[a + 3] - x, at[a + 4] - y, at[a + 5] - z, at[a + 6] - x, at[a + 7] - y, at[a + 8] - z);
+    }
+
+    private static Vec3 product(double ux, double uy, double uz, double vx, double vy, double vz) {
         return new Vec3(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
     }
 

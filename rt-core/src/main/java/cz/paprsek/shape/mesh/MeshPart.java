@@ -10,20 +10,20 @@ import java.util.Optional;
 final class MeshPart implements Part {
     final int number;
     private final Triangles mesh;
+    private final Facets facets;
     private final Affine toLocal;
 
-    MeshPart(int number, Triangles mesh, Affine toLocal) {
+    MeshPart(int number, Triangles mesh, Facets facets, Affine toLocal) {
         this.number = number;
         this.mesh = mesh;
+        this.facets = facets;
         this.toLocal = toLocal;
     }
 
     @Override
     public void describe(int face, Hit hit) {
-        int a = 3 * mesh.corner(face, 0);
-        int b = 3 * mesh.corner(face, 1);
-        int c = 3 * mesh.corner(face, 2);
-        Vec3 product = Measures.product(mesh.places(), a, b, c);
+        // Where it was just met it need not be fetched from memory, as what stands in the order of triangles and vertices must.
+        Vec3 product = facets.isAt(hit.hint, face) ? facets.product(hit.hint) : product(face);
         // Two sides of 1e-45 have a product whose square would be none.
         double most = Math.max(Math.abs(product.x()), Math.max(Math.abs(product.y()), Math.abs(product.z())));
         double x = product.x() / most;
@@ -31,7 +31,7 @@ final class MeshPart implements Part {
         double z = product.z() / most;
         hit.normal(toLocal, x, y, z);
         if (mesh.hasNormals()) {
-            smooth(a, b, c, x, y, z, hit);
+            smooth(3 * mesh.corner(face, 0), 3 * mesh.corner(face, 1), 3 * mesh.corner(face, 2), x, y, z, hit);
         }
     }
 

@@ -64,6 +64,7 @@ final class MeshSearch extends Search<Ray> {
     /** The nearest one: of those in one place that of the lowest triangle. */
     private double best;
     private int bestNumber;
+    private int bestPlace;
     private boolean bestFront;
 
     /** All, with the numbers of triangles, complemented if met from behind. */
@@ -163,6 +164,11 @@ final class MeshSearch extends Search<Ray> {
         return bestNumber;
     }
 
+    /** Its place in the order of the leaves. */
+    int nearestPlace() {
+        return bestPlace;
+    }
+
     /** Whether it is met from in front: its normal is towards the start of the line. */
     boolean nearestIsFront() {
         return bestFront;
@@ -247,7 +253,7 @@ final class MeshSearch extends Search<Ray> {
         double pz = atZ;
         if (own.length > 0) {
             for (int i = first; i < last; i++) {
-                int a = 9 * i;
+                int a = Facets.EACH_OWN * i;
                 int b = a + 3;
                 int c = a + 6;
                 note(i, crossing(own[a + x], own[a + y], own[a + z], own[b + x], own[b + y], own[b + z], own[c + x], own[c + y], own[c + z], px, py, pz, sx, sy));
@@ -255,9 +261,9 @@ final class MeshSearch extends Search<Ray> {
             return;
         }
         for (int i = first; i < last; i++) {
-            int a = corners[3 * i];
-            int b = corners[3 * i + 1];
-            int c = corners[3 * i + 2];
+            int a = corners[Facets.EACH * i];
+            int b = corners[Facets.EACH * i + 1];
+            int c = corners[Facets.EACH * i + 2];
             note(i, crossing(at[a + x], at[a + y], at[a + z], at[b + x], at[b + y], at[b + z], at[c + x], at[c + y], at[c + z], px, py, pz, sx, sy));
         }
     }
@@ -293,7 +299,7 @@ final class MeshSearch extends Search<Ray> {
 
     private void note(int place, double where) {
         if (where > above && where < below) {
-            note(where, facets.numbers[place], crossedFront);
+            note(where, place, facets.number(place), crossedFront);
         }
     }
 
@@ -315,7 +321,7 @@ final class MeshSearch extends Search<Ray> {
         return deciding > 0 ? 1 : deciding < 0 ? -1 : 0;
     }
 
-    private void note(double where, int triangle, boolean front) {
+    private void note(double where, int place, int triangle, boolean front) {
         int side = front ? FRONT : BACK;
         if ((sides & side) == 0 || ((passed & side) != 0 && Math.abs(where) <= near)) {
             return;
@@ -325,6 +331,7 @@ final class MeshSearch extends Search<Ray> {
         } else if (where < best || (where == best && triangle < bestNumber)) {
             best = where;
             bestNumber = triangle;
+            bestPlace = place;
             bestFront = front;
         }
     }

@@ -72,7 +72,7 @@ final class PlacedMesh extends Volume {
         boolean own = isLeftBy(ray);
         if (!closed) {
             if (search.nearest(ray, ray.min, ray.reach, MeshSearch.BOTH, ray.contact, own ? MeshSearch.BOTH : 0)) {
-                ray.accept(own ? Math.max(0, search.nearestT()) : search.nearestT(), part(search.nearestNumber()), search.nearestNumber());
+                accept(ray, search, own);
             }
             return;
         }
@@ -82,9 +82,14 @@ final class PlacedMesh extends Volume {
             if (search.nearestIsFront() == (own && ray.inwards)) {
                 super.nearest(ray);
             } else {
-                ray.accept(own ? Math.max(0, search.nearestT()) : search.nearestT(), part(search.nearestNumber()), search.nearestNumber());
+                accept(ray, search, own);
             }
         }
+    }
+
+    private void accept(Ray ray, MeshSearch search, boolean own) {
+        ray.accept(own ? Math.max(0, search.nearestT()) : search.nearestT(), part(search.nearestNumber()), search.nearestNumber());
+        ray.hint = search.nearestPlace();
     }
 
     @Override

@@ -286,7 +286,7 @@ public final class Triangles {
         Affine toLocal = toWorld.inverse();
         MeshPart[] placed = new MeshPart[partNames.size()];
         for (int i = 0; i < placed.length; i++) {
-            placed[i] = parts.apply(i).add(number -> new MeshPart(number, this, toLocal));
+            placed[i] = parts.apply(i).add(number -> new MeshPart(number, this, known, toLocal));
         }
         return new PlacedMesh(this, known, toWorld, placed);
     }

@@ -51,6 +51,9 @@ public final class Ray {
     /** Which face of the part was hit, the part's own numbering; the complement {@code ~face} if an odd number of CSG operations flipped it. */
     public int face;
 
+    /** What whoever was met last has left for itself, for {@link cz.paprsek.ray.Hit#hint}. */
+    public int hint;
+
     /** The stretch of the ray that a convex body was last found to cover, and the faces at its ends. */
     public double enter;
     public double leave;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Hit;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Sphere;
@@ -144,6 +145,45 @@ class CrossingTest {
             hits += ray.part >= 0 ? 1 : 0;
         }
         assertThat(hits).isGreaterThan(10_000);
+    }
+
+    /** A ray leaves word where the triangle stands that it has met; who describes it without that, or with the word of another, says the same. */
+    @Test
+    void whereATriangleWasMetMakesNoDifferenceToItsNormal() {
+        Triangles ball = Meshes.ball(1, 24);
+        Triangles whole = ball.transformed(new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(8, 8, 8)).toParent());
+        double[] places = new double[3 * whole.vertexCount()];
+        for (int i = 0; i < places.length; i++) {
+            Vec3 at = whole.place(i / 3);
+            places[i] = Math.rint(i % 3 == 0 ? 64 * at.x() : i % 3 == 1 ? 64 * at.y() : 64 * at.z());
+        }
+        int[] corners = new int[3 * whole.count()];
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] = whole.corner(i / 3, i % 3);
+        }
+        for (Triangles mesh : new Triangles[] {whole, Triangles.of(places, corners)}) {
+            Facets facets = new Facets(mesh, () -> false);
+            assertThat(facets.own.length + facets.corners.length).isEqualTo((mesh.equals(whole) ? 4 : 10) * mesh.count());
+            Volume volume = place(mesh, Affine.IDENTITY);
+            MeshPart part = new MeshPart(0, mesh, facets, Affine.IDENTITY);
+            SplittableRandom random = new SplittableRandom(4);
+            Ray ray = new Ray(new Spans());
+            Hit hit = new Hit();
+            Hit other = new Hit();
+            for (int n = 0; n < 20_000; n++) {
+                Vec3 d = new Vec3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5).normalized();
+                ray.start(0.1 - 2000 * d.x(), 0.2 - 2000 * d.y(), 0.3 - 2000 * d.z(), d.x(), d.y(), d.z());
+                volume.nearest(ray);
+                assertThat(ray.part).isZero();
+                int face = ray.face;
+                assertThat(facets.isAt(ray.hint, face)).isTrue();
+                hit.hint = ray.hint;
+                part.describe(face, hit);
+                other.hint = n % 3 == 0 ? -1 : n % 3 == 1 ? Integer.MAX_VALUE : random.nextInt(mesh.count());
+                part.describe(face, other);
+                assertThat(new Vec3(hit.nx, hit.ny, hit.nz)).isEqualTo(new Vec3(other.nx, other.ny, other.nz));
+            }
+        }
     }
 
     @Test
