@@ -14,8 +14,11 @@ final class PackedNodes {
     static final int FIRST = WideNodes.FIRST;
     /** How many steps of the grid span the whole. */
     private static final double STEPS = 65_530;
-    /** How much finer than along the longest axis the grid is at most along another: more than floats tell apart would be of no use. */
-    private static final double FINEST = 1 << 20;
+    /**
+     * How much finer than along the longest axis the grid is at most along another: more than floats tell apart would be of no use, and who looks at something flat from some way off would be too
+     * many steps away to tell anything.
+     */
+    private static final double FINEST = 1 << 6;
     /** By so many steps boxes are larger, more than rounding changes. */
     private static final double MARGIN = 1e-6;
     /** A box whose surface grows by more than this is poor; one of so many may be. */

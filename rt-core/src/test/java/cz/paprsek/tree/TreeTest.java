@@ -138,6 +138,32 @@ class TreeTest {
         assertThat(finder.met).isLessThan(30_000);
     }
 
+    /** However thin the whole is along an axis, and from however far it is looked at. */
+    @ParameterizedTest
+    @CsvSource({"0, 0.5", "0, 1000", "1e-6, 0.5", "1e-4, 1000", "1, 1000"})
+    void whatIsFlatIsFoundByFewBoxes(double thickness, double distance) {
+        Random random = new Random(6);
+        int side = 60;
+        Boxes boxes = new Boxes(random, side * side, 1, 0);
+        for (int i = 0; i < side * side; i++) {
+            int x = i % side;
+            int y = i / side;
+            double z = thickness * side * random.nextDouble();
+            System.arraycopy(new double[] {x, y, z, x + 1, y + 1, z}, 0, boxes.box, 6 * i, 6);
+        }
+        Tree tree = boxes.build(true);
+        Finder finder = new Finder(boxes);
+        for (int i = 0; i < 100; i++) {
+            Line line = Line.through(random, boxes, side, 0, distance, 0);
+            double nearest = line.end;
+            for (int k = 0; k < side * side; k++) {
+                nearest = Math.min(nearest, line.enter(boxes.box, 6 * k));
+            }
+            assertThat(finder.nearest(tree, line, tree.whole())).isEqualTo(nearest);
+        }
+        assertThat(finder.met).isLessThan(5 * side * side);
+    }
+
     @Test
     void fewNodesAreVisited() {
         Random random = new Random(1);
