@@ -15,8 +15,9 @@ public final class Sheaf implements Leaves {
     private double[] dx = {};
     private double[] dy = {};
     private double[] dz = {};
-    /** Squares of half the chords of a ball. */
+    /** Squares of half the chords of a ball, and how far away their middles are. */
     private double[] half = {};
+    private double[] middle = {};
     private int count;
     private double reach;
     private boolean hasMet;
@@ -41,6 +42,7 @@ public final class Sheaf implements Leaves {
             dy = new double[most];
             dz = new double[most];
             half = new double[most];
+            middle = new double[most];
         }
     }
 
@@ -99,16 +101,20 @@ public final class Sheaf implements Leaves {
         double[] dys = dy;
         double[] dzs = dz;
         double[] halves = half;
+        double[] middles = middle;
         int all = count;
         for (int i = 0; i < all; i++) {
-            double middle = lx * dxs[i] + ly * dys[i] + lz * dzs[i];
-            double px = lx - middle * dxs[i];
-            double py = ly - middle * dys[i];
-            double pz = lz - middle * dzs[i];
+            double along = lx * dxs[i] + ly * dys[i] + lz * dzs[i];
+            double px = lx - along * dxs[i];
+            double py = ly - along * dys[i];
+            double pz = lz - along * dzs[i];
+            middles[i] = along;
             halves[i] = r2 - (px * px + py * py + pz * pz);
         }
+        double radius = Math.sqrt(r2);
         for (int i = 0; i < all; i++) {
-            if (halves[i] > 0) {
+            // What lies behind a ray's hit is not met.
+            if (halves[i] > 0 && middles[i] - radius < rays[i].reach) {
                 surface.nearest(rays[i]);
                 hasMet = true;
             }
