@@ -51,7 +51,7 @@ public final class Renderer implements AutoCloseable {
         workers.close();
     }
 
-    /** How large scenes are searched in this virtual machine: "vectors of 8 floats" if it has the module jdk.incubator.vector, else "scalar". */
+    /** How large scenes are searched in this virtual machine: "vectors of 8 floats", or of 16, if it has the module jdk.incubator.vector, else "scalar". */
     public static String kernel() {
         return Kernel.inUse();
     }

@@ -4,6 +4,8 @@ package cz.paprsek.tree;
 public final class Entries {
     /** In place of a box: the subtree is searched without asking. */
     static final int ANYWHERE = -1;
+    /** So many of the children of a node count at most when it is to be opened: of sixteen the lines of a bundle mostly pass by the others. */
+    private static final int COUNTED = 8;
 
     private final int most;
     final int[] node;
@@ -20,15 +22,17 @@ public final class Entries {
     /** Up to which t no line meets anything in a group. */
     final double[] groupNear;
 
-    /** @param most how many subtrees are kept apart at most, unless they are looked for by a frustum: then twice as many */
+    /**
+     * @param most how many subtrees are kept apart at most, some more where nodes have more than {@value #COUNTED} children; unless they are looked for by a frustum: then twice as many
+     */
     public Entries(int most) {
-        // One more: a subtree that is opened gives way only after its halves have been added. And as many again for who opens only what is worth it.
+        // One more: a subtree that is opened gives way only after its halves have been added. And as many again for who opens only what is worth it, and for children that do not count.
         this.most = most + 1;
         int room = 2 * this.most;
         node = new int[room];
         box = new int[room];
         near = new double[room];
-        groupNear = new double[(room + WideNodes.WIDTH - 1) / WideNodes.WIDTH];
+        groupNear = new double[room];
     }
 
     /**
@@ -48,7 +52,7 @@ public final class Entries {
 
     /** Whether a subtree could be opened that has so many children. */
     boolean haveRoomFor(int children) {
-        return size + children <= most;
+        return size + Math.min(children, COUNTED) <= most;
     }
 
     /** Whether so many could be added at all. */
@@ -123,32 +127,34 @@ public final class Entries {
         groups = size;
     }
 
-    /** Puts the boxes side by side. */
-    void gather(float[] from) {
+    /** Puts the boxes side by side, as if in nodes of so many children. */
+    void gather(float[] from, int width) {
+        int stride = WideNodes.EACH * width;
         if (planes.length == 0) {
-            planes = new float[WideNodes.FIRST + WideNodes.STRIDE * groupNear.length];
+            planes = new float[WideNodes.FIRST + WideNodes.EACH * (node.length + WideNodes.MOST)];
         }
         int count = 0;
         for (int i = 0; i < size; i++) {
             if (box[i] != ANYWHERE) {
-                int group = count / WideNodes.WIDTH;
-                int slot = count % WideNodes.WIDTH;
+                int group = count / width;
+                int slot = count % width;
                 if (slot == 0) {
                     groupNear[group] = near[i];
                 }
-                int to = WideNodes.FIRST + WideNodes.STRIDE * group + slot;
+                int to = WideNodes.FIRST + stride * group;
+                int lane = WideNodes.lane(width, slot);
                 for (int k = 0; k < 6; k++) {
-                    planes[to + WideNodes.WIDTH * k] = from[box[i] + WideNodes.WIDTH * k];
+                    planes[to + width * k + lane] = from[box[i] + width * k];
                 }
-                planes[to + WideNodes.WIDTH * 6] = Float.intBitsToFloat(node[i]);
+                planes[to + width * 6 + slot] = Float.intBitsToFloat(node[i]);
                 count++;
             }
         }
-        groups = (count + WideNodes.WIDTH - 1) / WideNodes.WIDTH;
-        for (; count % WideNodes.WIDTH != 0; count++) {
-            int at = WideNodes.FIRST + WideNodes.STRIDE * (groups - 1) + count % WideNodes.WIDTH;
+        groups = (count + width - 1) / width;
+        for (; count % width != 0; count++) {
+            int at = WideNodes.FIRST + stride * (groups - 1) + WideNodes.lane(width, count % width);
             for (int k = 0; k < 6; k++) {
-                planes[at + WideNodes.WIDTH * k] = Float.NaN;
+                planes[at + width * k] = Float.NaN;
             }
         }
     }

@@ -2,7 +2,7 @@ package cz.paprsek.tree;
 
 import java.util.Optional;
 
-/** What makes trees and searches them: one for any machine, and one for those whose vectors hold eight floats. Both find the same. */
+/** What makes trees and searches them: one for any machine, and one for those whose vectors hold eight floats or sixteen. Both find the same. */
 public abstract class Kernel {
     /** What was asked for: {@code scalar} or {@code vector} for all trees; else each gets what suits it. */
     private static final String WISH = System.getProperty("paprsek.kernel", "");

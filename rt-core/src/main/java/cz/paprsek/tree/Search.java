@@ -20,8 +20,9 @@ public abstract class Search<R> {
     private @Nullable PackedNodes packed;
     int[] node = {};
     int[] near = {};
-    /** Leaves to be asked. */
-    final int[] leaves = new int[SOME + 2 * WideNodes.WIDTH];
+    /** Leaves to be asked, or nodes with such, and which of their children these are. */
+    final int[] leaves = new int[SOME + WideNodes.MOST];
+    final long[] which = new long[SOME + WideNodes.MOST];
     long visits;
 
     /** Called before the first box is asked about, and not at all if there is none: tells the line by {@link #along}. */

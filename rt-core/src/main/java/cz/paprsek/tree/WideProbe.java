@@ -52,7 +52,7 @@ final class WideProbe {
     /** Nodes and leaves to visit, the nearest on top: where the line enters, and in the lower half its name. */
     long[] stack = {};
     int top;
-    final int[] lanes = new int[16];
+    final int[] lanes = new int[WideNodes.MOST];
 
     /** Makes room for so many nodes to visit. */
     void reserve(int most) {

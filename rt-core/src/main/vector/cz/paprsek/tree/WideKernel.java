@@ -3,11 +3,13 @@ package cz.paprsek.tree;
 import java.util.Optional;
 import jdk.incubator.vector.FloatVector;
 
-/** Trees of eight children a node, all asked about at once. Loaded by name, and only where the module {@code jdk.incubator.vector} is present. */
+/** Trees of as many children a node as vectors hold floats, all asked about at once. Loaded by name, and only where the module {@code jdk.incubator.vector} is present. */
 final class WideKernel extends Kernel {
+    private static final int WIDTH = FloatVector.SPECIES_PREFERRED.length() >= SixteenTree.WIDTH ? SixteenTree.WIDTH : EightTree.WIDTH;
+
     @Override
     Tree tree(BinaryNodes nodes) {
-        return new WideTree(new WideNodes(nodes, WideNodes.WIDTH));
+        return WIDTH == SixteenTree.WIDTH ? new SixteenTree(nodes) : new EightTree(nodes);
     }
 
     @Override
@@ -22,12 +24,12 @@ final class WideKernel extends Kernel {
 
     @Override
     String name() {
-        return "vectors of " + WideNodes.WIDTH + " floats";
+        return "vectors of " + WIDTH + " floats";
     }
 
     /** Vectors that are wider than the machine's are objects, thousands of times slower. */
     @Override
     boolean isFast() {
-        return FloatVector.SPECIES_PREFERRED.length() >= WideNodes.WIDTH;
+        return FloatVector.SPECIES_PREFERRED.length() >= WIDTH;
     }
 }

@@ -10,6 +10,9 @@ import org.junit.jupiter.api.Test;
 
 /** Subtrees to start from are kept from near to far, whichever come and go. */
 class EntriesTest {
+    private static final int WIDTH = 8;
+    private static final int STRIDE = WideNodes.EACH * WIDTH;
+
     private record Entry(int node, int box, double near) {}
 
     @Test
@@ -46,7 +49,9 @@ class EntriesTest {
         for (int i = 0; i < 7; i++) {
             assertThat(entries.haveRoomFor(2)).isTrue();
             assertThat(entries.haveRoomFor(9 - i)).isTrue();
-            assertThat(entries.haveRoomFor(10 - i)).isFalse();
+            // Of more than eight no more count.
+            assertThat(entries.haveRoomFor(10 - i)).isEqualTo(i < 2);
+            assertThat(entries.haveRoomFor(16)).isEqualTo(i < 2);
             entries.add(1, 8, i);
         }
         assertThat(entries.isFull()).isFalse();
@@ -57,34 +62,34 @@ class EntriesTest {
     /** The wide tree's way: the boxes of eight side by side, and empty ones that no line meets. */
     @Test
     void boxesAreGatheredInGroupsOfEight() {
-        float[] planes = new float[WideNodes.STRIDE * 4];
+        float[] planes = new float[STRIDE * 4];
         for (int i = 0; i < planes.length; i++) {
             planes[i] = i;
         }
         Entries entries = new Entries(16);
         for (int i = 0; i < 11; i++) {
-            entries.add(i == 4 ? -9 : 100 + i, i == 4 ? Entries.ANYWHERE : i % WideNodes.WIDTH + WideNodes.STRIDE * (i / WideNodes.WIDTH), i);
+            entries.add(i == 4 ? -9 : 100 + i, i == 4 ? Entries.ANYWHERE : i % WIDTH + STRIDE * (i / WIDTH), i);
         }
-        entries.gather(planes);
+        entries.gather(planes, WIDTH);
         assertThat(entries.groups).isEqualTo(2);
         assertThat(entries.groupNear[0]).isZero();
         assertThat(entries.groupNear[1]).as("the ninth box, behind one that is anywhere").isEqualTo(9);
         int slot = 0;
         for (int i = 0; i < 11; i++) {
             if (i != 4) {
-                int at = WideNodes.FIRST + WideNodes.STRIDE * (slot / WideNodes.WIDTH) + slot % WideNodes.WIDTH;
-                assertThat(Float.floatToRawIntBits(entries.planes[at + WideNodes.WIDTH * 6])).isEqualTo(100 + i);
+                int at = WideNodes.FIRST + STRIDE * (slot / WIDTH) + slot % WIDTH;
+                assertThat(Float.floatToRawIntBits(entries.planes[at + WIDTH * 6])).isEqualTo(100 + i);
                 for (int k = 0; k < 6; k++) {
-                    assertThat(entries.planes[at + WideNodes.WIDTH * k])
-                            .isEqualTo(i % WideNodes.WIDTH + WideNodes.STRIDE * (i / WideNodes.WIDTH) + WideNodes.WIDTH * k);
+                    assertThat(entries.planes[at + WIDTH * k])
+                            .isEqualTo(i % WIDTH + STRIDE * (i / WIDTH) + WIDTH * k);
                 }
                 slot++;
             }
         }
-        for (; slot < 2 * WideNodes.WIDTH; slot++) {
-            int at = WideNodes.FIRST + WideNodes.STRIDE * (slot / WideNodes.WIDTH) + slot % WideNodes.WIDTH;
+        for (; slot < 2 * WIDTH; slot++) {
+            int at = WideNodes.FIRST + STRIDE * (slot / WIDTH) + slot % WIDTH;
             for (int k = 0; k < 6; k++) {
-                assertThat(entries.planes[at + WideNodes.WIDTH * k]).isNaN();
+                assertThat(entries.planes[at + WIDTH * k]).isNaN();
             }
         }
     }
