@@ -73,7 +73,7 @@ public record Scene(
         Objects.requireNonNull(background, "background");
         Objects.requireNonNull(ambient, "ambient");
         Objects.requireNonNull(sky, "sky");
-        Require.that(sky.equals(Sky.NONE) || background.equals(Rgb.BLACK), EITHER_SKY);
+        Require.that(sky instanceof Sky.None || background.equals(Rgb.BLACK), EITHER_SKY);
         tags = List.copyOf(tags);
         Require.that(!cameras.isEmpty(), "a scene needs a camera");
         cameras = Checked.of(cameras, Camera.class, all -> SceneRules.checkCameras(all, SceneRules.REFUSE));

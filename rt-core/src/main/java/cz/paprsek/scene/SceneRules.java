@@ -170,7 +170,9 @@ public final class SceneRules {
     }
 
     private static boolean hasBoard(Material material) {
-        return material.patterns().anyMatch(Pattern.Checkerboard.class::isInstance);
+        return material.pattern() instanceof Pattern.Checkerboard
+                || (!material.shares().equals(Material.Shares.EVEN) && material.patterns().anyMatch(Pattern.Checkerboard.class::isInstance))
+                || (material.relief() instanceof Material.Bump bump && bump.pattern() instanceof Pattern.Checkerboard);
     }
 
     /** All names of materials that there are. */

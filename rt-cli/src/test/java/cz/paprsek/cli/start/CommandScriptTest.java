@@ -155,6 +155,8 @@ class CommandScriptTest extends StartScript {
             "false | <sphere/>                                             | --size 1e3x9",
             "true  | <render width=\"1280\" height=\"720\"/><sphere/>        | -q",
             "false | <render height=\"1280\" width=\"820\"/><sphere/>        | -q",
+            "false | <camera/><render~ height=\"1280\"~ width=\"820\"~/> | -q",
+            "true  | <camera/><render~ height=\"720\"~ width=\"1280\"/>~  | -q",
             "true  | <render height=\"1280\" width=\"820\"/><sphere/>        | --size 9x9",
             "true  | <render samples=\"1\"/><sphere/>                       | -q",
             "false | <render samples=\"16\"/><sphere/>                      | -q",
@@ -168,7 +170,7 @@ class CommandScriptTest extends StartScript {
             "false | <repeat count=\"9\"><sphere/></repeat>                 | -q",
             "false | <area-light position=\"1 2 3\"/><sphere/>              | -q"})
     void aShortCallIsCompiledQuickly(boolean isQuick, String content, String words) throws Exception {
-        Path scene = Files.writeString(folder.resolve("s.xml"), "<scene xmlns='urn:paprsek:scene:1'>" + content + "</scene>");
+        Path scene = Files.writeString(folder.resolve("s.xml"), "<scene xmlns='urn:paprsek:scene:1'>" + content.replace('~', '\n') + "</scene>");
         List<String> all = new ArrayList<>(List.of("render", scene.toString()));
         all.addAll(List.of(words.strip().split(" ")));
         assertThat(call(all.toArray(String[]::new))).isEqualTo(7);
