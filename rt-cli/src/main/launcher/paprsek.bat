@@ -12,12 +12,19 @@ set "place=%place:\=-%"
 set "archive=%cache%\rt-cli-%place::=%.jsa"
 set "compiler="
 set "vectors="
+if not "%~1"=="render" goto long
 call :short %*
 if not errorlevel 1 set "compiler=-XX:TieredStopAtLevel=1"
 if defined compiler goto start
+:long
 rem Vectors of eight floats pay for large files; Java says a line of that.
 if "%~1"=="bench" set "vectors=--add-modules jdk.incubator.vector"
-for %%f in (%*) do if exist "%%~f" if %%~zf gtr 1000000 set "vectors=--add-modules jdk.incubator.vector"
+rem A bracket in a name would end the list of names; "?" stands for it there.
+set words=%*
+if not defined words goto start
+set words=%words:(=?%
+set words=%words:)=?%
+for %%f in (%words%) do if exist "%%~f" if %%~zf gtr 1000000 set "vectors=--add-modules jdk.incubator.vector"
 if not defined vectors goto start
 "%java%" --list-modules 2> nul | findstr /b "jdk.incubator.vector" > nul || set "vectors="
 :start
@@ -28,7 +35,6 @@ rem Whether the call is to render one picture so soon done that the compiler tha
 rem pixels with one ray each, of a file in which nothing stands for much more work than it is long. What is not known here is taken for long. The other
 rem script says the same, and a little more of pictures that are higher than wide.
 :short
-if not "%~1"=="render" exit /b 1
 set "scene="
 set "size="
 :word
@@ -48,6 +54,8 @@ set "scene=%~1"
 goto word
 :words
 if not defined scene exit /b 1
+rem A pattern may be many files.
+for %%f in ("%scene%") do if not "%%~f"=="%scene%" exit /b 1
 for %%f in ("%scene%") do if %%~zf gtr 4000000 exit /b 1
 findstr /r /c:"<scene[ >]" "%scene%" > nul 2> nul || exit /b 1
 findstr /r /c:"<include" /c:"<instance" /c:"<repeat" /c:"<mesh" /c:"<text" /c:"<isosurface" /c:"<height-field" /c:"<area-light" /c:"<sphere-light" /c:"<sky" /c:"<roughness" /c:"samples=.[^1]" /c:"samples=.1[0-9.]" /c:"width=.[^0-9]" /c:"height=.[^0-9]" /c:"integrator=.p" /c:"integrator= " /c:"aperture=" /c:"angle=" /c:"shutter=" /c:"error=" /c:" =" "%scene%" > nul && exit /b 1

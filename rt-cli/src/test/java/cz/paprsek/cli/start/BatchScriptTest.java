@@ -76,4 +76,10 @@ class BatchScriptTest {
         assertThat(script().replace("\r\n", "")).doesNotContain("\n", "\r");
         assertThat(script()).contains("%compiler%", "set \"compiler=-XX:TieredStopAtLevel=1\"");
     }
+
+    /** A closing bracket within a list of words would be the end of the list, and of the script. */
+    @Test
+    void listsOfWordsHaveNoBrackets() throws Exception {
+        assertThat(script()).contains("set words=%words:(=?%\r\nset words=%words:)=?%\r\nfor %%f in (%words%) do ").doesNotContain("in (%*)");
+    }
 }
