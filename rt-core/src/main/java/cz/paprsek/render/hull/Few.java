@@ -8,6 +8,9 @@ import org.jspecify.annotations.Nullable;
 
 /** A few bodies in any scene, of which a ray asks the balls around them all at once, and then meets those that it may. */
 public final class Few extends Loose {
+    /** Vectors are slow until they are compiled, which small pictures do not wait for. */
+    private static final int MANY = 1 << 18;
+
     private final Surface[] surfaces;
     private final boolean[] opaque;
     private final Row row;
@@ -23,6 +26,11 @@ public final class Few extends Loose {
         this.surfaces = surfaces;
         this.opaque = opaque;
         this.row = row;
+    }
+
+    @Override
+    public int after() {
+        return MANY;
     }
 
     /** As one leaf. */

@@ -23,6 +23,11 @@ public class Loose {
         areOpaque = all;
     }
 
+    /** After how many rays of a worker they are met so; until then as if in a tree. */
+    public int after() {
+        return 0;
+    }
+
     /** As how many leaves of a tree they count. */
     public int visits() {
         return 0;

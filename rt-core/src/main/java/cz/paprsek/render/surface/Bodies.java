@@ -239,8 +239,8 @@ public final class Bodies {
         for (Surface surface : endless) {
             surface.nearest(ray);
         }
-        if (areLoose && entries == whole) {
-            loose.nearest(ray, finder.scratchOf(loose));
+        if (areLoose && entries == whole && finder.isSoFar(loose)) {
+            loose.nearest(ray, finder.scratch);
             return;
         }
         tree.nearest(finder, ray, entries, ray.reach);
@@ -262,8 +262,8 @@ public final class Bodies {
                 return endless[i];
             }
         }
-        if (areLoose && entries == whole) {
-            Surface near = loose.occluder(ray, through, finder.scratchOf(loose));
+        if (areLoose && entries == whole && finder.isSoFar(loose)) {
+            Surface near = loose.occluder(ray, through, finder.scratch);
             return near == null ? hull.occluder(ray) : near;
         }
         finder.pushTo(through);
@@ -288,6 +288,7 @@ public final class Bodies {
         private final @Nullable Finder beside;
         private Spans through = new Spans();
         private int occluder;
+        private long asked;
         private final double[] scratch = new double[Row.MOST];
         /** Where the ray starts, for the tree: not before its origin, or a little. */
         private double back;
@@ -305,9 +306,10 @@ public final class Bodies {
             return visits() + (beside == null ? 0 : beside.visited());
         }
 
-        private double[] scratchOf(Loose among) {
-            visit(among.visits());
-            return scratch;
+        private boolean isSoFar(Loose among) {
+            boolean is = ++asked > among.after();
+            visit(is ? among.visits() : 0);
+            return is;
         }
 
         private void pushTo(Spans spans) {
