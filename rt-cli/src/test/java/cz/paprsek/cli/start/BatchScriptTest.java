@@ -56,6 +56,7 @@ class BatchScriptTest {
             "false | <mesh\tfile=\"m.stl\"/>",
             "false | <repeat count=\"9\"><sphere/></repeat>",
             "false | <sky zenith=\"1 2 3\"/>",
+            "false | <database><scene name=\"a\"/></database>",
             "false | <sphere-light radius=\"1\"/>"})
     void whatStandsForMuchWorkIsFoundAsByTheOtherScript(boolean isQuick, String content) throws Exception {
         assertThat(isShort("<scene xmlns='urn:paprsek:scene:1'>\n" + content + "\n</scene>\n")).isEqualTo(isQuick);

@@ -164,6 +164,7 @@ class CommandScriptTest extends StartScript {
             "false | <render samples=\"{n}\"/><sphere/>                     | -q",
             "false | <render integrator=\"path\"/><sphere/>                 | -q",
             "false | <mesh file=\"m.stl\"/>                                 | -q",
+            "false | <database><scene name=\"a\"/></database>              | -q",
             "false | <mesh\tfile=\"m.stl\"/>                               | -q",
             "false | <render samples='16'/><sphere/>                      | -q",
             "false | <render width = \"2000\"/><sphere/>                  | -q",
