@@ -254,6 +254,26 @@ class SamplerTest {
         }
     }
 
+    /** One sampler goes from pixel to pixel, along rows and columns: what it made and found for those before is of no use for the next. */
+    @Test
+    void pointsAreThoseOfTheirPixel() {
+        Sampler one = Sampler.ofPaths(false);
+        Asked[] asked = Asked.none(2);
+        for (int[] pixel : new int[][] {{0, 0}, {0, 1}, {1, 1}, {1, 0}, {7, 0}, {7, 6}}) {
+            for (int k = 0; k < 64; k++) {
+                Sampler alone = Sampler.ofPaths(false);
+                alone.start(pixel[0], pixel[1], k);
+                one.start(pixel[0], pixel[1], k);
+                alone.lights(Sampler.EYE, 1, 1);
+                one.light(Sampler.EYE, 1, asked[0]);
+                assertSameNext(alone, one);
+                alone.direction(Sampler.EYE);
+                alone.next();
+                assertDirection(alone, Sampler.EYE, one, asked[1]);
+            }
+        }
+    }
+
     private static void assertDirection(Sampler point, int path, Sampler sampler, Asked asked) {
         Turn turn = new Turn();
         turn.by(point.v);

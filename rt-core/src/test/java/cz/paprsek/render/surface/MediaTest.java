@@ -94,6 +94,20 @@ class MediaTest {
     }
 
     @Test
+    void whoFollowsARayOutsideOfAllIsOutsideOfAll() {
+        media.surround(7);
+        media.enter(1, 1.5);
+        media.pass(2);
+        media.set(new Media());
+        assertThat(media.hold(7)).isFalse();
+        assertThat(media.havePassed(2)).isFalse();
+        assertThat(media.count()).isZero();
+        media.enter(3, 1.3);
+        assertThat(media.areAround()).isTrue();
+        assertThat(media.refractiveIndex()).isEqualTo(1.3);
+    }
+
+    @Test
     void whatWasPassedHereIsKnownUntilTheRayGoesOn() {
         for (int i = 0; i < 9; i++) {
             assertThat(media.havePassed(i)).isFalse();
