@@ -1,10 +1,14 @@
 package cz.paprsek.fx;
 
+import java.lang.management.CompilationMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import javafx.application.Application;
@@ -21,6 +25,12 @@ public final class Launcher {
               -V, --version   Prints the version and exits.
             Pictures are also rendered without a screen: paprsek render --help""";
     private static final String NO_DISPLAY = "paprsek: the editor needs a screen, but %s; pictures are rendered without one: paprsek render SCENE.xml";
+
+    /** True by the start script where Java is to make an archive of the loaded classes when the window is closed. */
+    private static final String MAKES_ARCHIVE = "paprsek.archive";
+
+    /** How many seconds a closed window's process waits for the compilers at most. */
+    private static final int LONGEST_WAIT = 20;
 
     /** JavaFX's logger, held so that its level is not forgotten. */
     private static final Logger JAVAFX = Logger.getLogger("javafx");
@@ -46,11 +56,27 @@ public final class Launcher {
         JAVAFX.setLevel(Level.SEVERE);
         try {
             Application.launch(EditorApp.class, args);
+            if (Boolean.getBoolean(MAKES_ARCHIVE)) {
+                awaitCompilers();
+            }
         } catch (RuntimeException failure) {
             if (!isOfDisplay(failure)) {
                 throw failure;
             }
             end(FAILED, String.format(Locale.ROOT, NO_DISPLAY, "the one that DISPLAY names cannot be opened"));
+        }
+    }
+
+    /**
+     * Waits until nothing has been compiled for a second. Java 17 archives, too, that a method waits to be compiled, and then never compiles it in any process that
+     * has the archive.
+     */
+    private static void awaitCompilers() {
+        CompilationMXBean compilers = ManagementFactory.getCompilationMXBean();
+        long spent = -1;
+        for (int second = 0; second < LONGEST_WAIT && compilers != null && compilers.getTotalCompilationTime() != spent; second++) {
+            spent = compilers.getTotalCompilationTime();
+            LockSupport.parkNanos(TimeUnit.SECONDS.toNanos(1));
         }
     }
 

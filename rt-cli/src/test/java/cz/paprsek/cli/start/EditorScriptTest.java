@@ -46,9 +46,11 @@ class EditorScriptTest extends StartScript {
 
     @Test
     void theFirstCallMakesTheArchiveThatTheOthersUse() throws Exception {
-        assertThat(call(folder, 0, "a scene.xml")).anyMatch(word -> word.startsWith("-XX:ArchiveClassesAtExit=")).contains("--add-modules", "-jar", "a scene.xml");
+        assertThat(call(folder, 0, "a scene.xml")).anyMatch(word -> word.startsWith("-XX:ArchiveClassesAtExit="))
+                .contains("-Dpaprsek.archive=true", "--add-modules", "-jar", "a scene.xml");
         Path archive = archives().get(0);
-        assertThat(call(folder, 3)).contains("-XX:SharedArchiveFile=" + archive).noneMatch(word -> word.startsWith("-XX:ArchiveClassesAtExit="));
+        assertThat(call(folder, 3)).contains("-XX:SharedArchiveFile=" + archive)
+                .noneMatch(word -> word.startsWith("-XX:ArchiveClassesAtExit=") || word.startsWith("-Dpaprsek.archive"));
         Files.setLastModifiedTime(jar, FileTime.from(Instant.now().plusSeconds(60)));
         assertThat(call(folder, 4)).as("an archive of another program").anyMatch(word -> word.startsWith("-XX:ArchiveClassesAtExit="));
         assertThat(archives()).as("nothing of a failed call stays").containsExactly(archive);
