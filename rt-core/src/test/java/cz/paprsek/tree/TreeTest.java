@@ -164,6 +164,27 @@ class TreeTest {
         assertThat(finder.met).isLessThan(5 * side * side);
     }
 
+    /** Where planes are crossed is told by differences of numbers that are much larger, and rounded. */
+    @Test
+    void whatALineStartsInIsMetHoweverThin() {
+        Random random = new Random(7);
+        Boxes boxes = new Boxes(random, 3000, 1, 0);
+        for (int b = 0; b < boxes.box.length; b += 6) {
+            boxes.box[b + 3] = boxes.box[b];
+            boxes.box[b + 4] = boxes.box[b + 1] + 0.01;
+            boxes.box[b + 5] = boxes.box[b + 2] + 0.01;
+        }
+        Tree tree = boxes.build(true);
+        Finder finder = new Finder(boxes);
+        for (int i = 0; i < 30_000; i++) {
+            int b = i % 3000 * 6;
+            double[] d = {random.nextGaussian(), random.nextGaussian(), random.nextGaussian()};
+            double k = 1 / Math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+            Line line = new Line(boxes.box[b], boxes.box[b + 1] + 0.005, boxes.box[b + 2] + 0.005, k * d[0], k * d[1], k * d[2], 1);
+            assertThat(finder.nearest(tree, line, tree.whole())).as("line %d", i).isZero();
+        }
+    }
+
     @Test
     void fewNodesAreVisited() {
         Random random = new Random(1);
