@@ -59,8 +59,8 @@ final class MeshSearch extends Search<Ray> {
     private int sides;
     private double near;
     private int passed;
-    /** Whether the triangle that was crossed last was met from in front. */
-    private boolean crossedFront;
+    /** Twice the area, as the line sees it, of the triangle that was crossed last: above 0 if it was met from in front. */
+    private double crossed;
     /** The nearest one: of those in one place that of the lowest triangle. */
     private double best;
     private int bestNumber;
@@ -293,13 +293,16 @@ final class MeshSearch extends Search<Ray> {
             return Double.NaN;
         }
         double sum = u + v + w;
-        crossedFront = sum > 0;
+        crossed = sum;
         return (u * az + v * bz + w * cz) * shearZ / sum;
     }
 
     private void note(int place, double where) {
         if (where > above && where < below) {
-            note(where, place, facets.number(place), crossedFront);
+            double t = facets.areAnyThin ? facets.within(place, where, Math.abs(crossed), ox, oy, oz, rx, ry, rz) : where;
+            if (t > above && t < below) {
+                note(t, place, facets.number(place), crossed > 0);
+            }
         }
     }
 

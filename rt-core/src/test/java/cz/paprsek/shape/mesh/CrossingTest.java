@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.math.Affine;
+import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.shape.Placement;
@@ -46,6 +47,47 @@ class CrossingTest {
 
     private static void triangle(Triangles.Builder out, int side, int a, int b, int c) {
         out.triangle(a, side == 0 ? c : b, side == 0 ? b : c);
+    }
+
+    @Test
+    void trianglesWithoutAreaAreCrossedWithinTheirBoxesOnly() {
+        SplittableRandom random = new SplittableRandom(7);
+        Triangles.Builder out = Triangles.builder();
+        Vec3[] from = new Vec3[2000];
+        Vec3[] to = new Vec3[from.length];
+        for (int i = 0; i < from.length; i++) {
+            from[i] = point(random);
+            to[i] = point(random);
+            Vec3 between = from[i].plus(to[i].minus(from[i]).times(random.nextDouble()));
+            out.triangle(vertex(out, from[i]), vertex(out, between), vertex(out, to[i]));
+        }
+        Facets facets = new Facets(out.build(), () -> false);
+        MeshSearch search = new MeshSearch(facets);
+        Ray ray = new Ray(new Spans());
+        int met = 0;
+        for (int n = 0; n < 200_000; n++) {
+            int aimed = n % from.length;
+            Vec3 way = to[aimed].minus(from[aimed]);
+            Vec3 at = from[aimed].plus(way.times(random.nextDouble()));
+            Vec3 d = n % 2 == 0 ? point(random) : way.plus(point(random).times(1e-4));
+            Vec3 o = at.minus(d.times(3));
+            ray.start(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+            if (search.start(facets, Affine.IDENTITY, ray) && search.nearest(ray, 0, 100, MeshSearch.BOTH, 0, 0)) {
+                Vec3 p = o.plus(d.times(search.nearestT()));
+                int i = search.nearestNumber();
+                met++;
+                assertThat(Bounds.of(from[i], to[i]).grown(1e-11).contains(p)).as("%s of %s to %s", p, from[i], to[i]).isTrue();
+            }
+        }
+        assertThat(met).as("rounding has lines meet some").isPositive();
+    }
+
+    private static Vec3 point(SplittableRandom random) {
+        return new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+    }
+
+    private static int vertex(Triangles.Builder out, Vec3 at) {
+        return out.vertex(at.x(), at.y(), at.z());
     }
 
     @Test
