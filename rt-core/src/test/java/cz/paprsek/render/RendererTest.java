@@ -11,6 +11,7 @@ import cz.paprsek.render.RenderResult.Outcome;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.integrate.Paths;
 import cz.paprsek.render.integrate.Whitted;
+import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.sample.Passes;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Bodies;
@@ -19,6 +20,7 @@ import cz.paprsek.render.surface.World;
 import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -27,6 +29,7 @@ import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
+import cz.paprsek.standard.StandardScenes;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -39,6 +42,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class RendererTest {
@@ -64,6 +68,22 @@ class RendererTest {
         assertThat(Scenes.difference(one, Renderer.render(prepared, options.withThreads(3), RenderMonitor.NONE).image(), 0)).isZero();
         Image part = Renderer.render(prepared, options.withRegion(new Tile(13, 11, 37, 29)), RenderMonitor.NONE).image();
         assertThat(Scenes.difference(part, crop(one, 13, 11, 37, 29), 0)).isZero();
+    }
+
+    /** Also when rays before a pixel's have left something behind: what stood in their way, and whether they were many. */
+    @ParameterizedTest
+    @CsvSource({"NODES, WHITTED, 2", "NODES, PATH, 3", "RAYS, WHITTED, 2", "RAYS, PATH, 3"})
+    void whatAPixelTakesIsTheSameInAnyPart(RenderMode mode, Integrator integrator, int samples) {
+        for (Scene scene : List.of(StandardScenes.few(), StandardScenes.cloud(8), SCENE)) {
+            RenderScene prepared = RenderScene.of(scene);
+            RenderSettings settings = scene.settings().withSize(240, 180).withIntegrator(integrator).withSamples(samples);
+            RenderOptions options = RenderOptions.of(settings).withMode(mode).withNumbers().withThreads(2);
+            Image whole = Renderer.render(prepared, options, RenderMonitor.NONE).image();
+            for (Tile tile : List.of(new Tile(110, 90, 3, 2), new Tile(20, 150, 210, 20))) {
+                Image part = Renderer.render(prepared, options.withRegion(tile), RenderMonitor.NONE).image();
+                assertThat(Scenes.difference(part, crop(whole, tile.x(), tile.y(), tile.width(), tile.height()), 0)).isZero();
+            }
+        }
     }
 
     private static Image crop(Image whole, int left, int top, int width, int height) {

@@ -223,6 +223,11 @@ abstract class BlockTracer extends Shading {
         trace(0);
     }
 
+    /** Forgets what rays before have shown: what those that follow take hangs on nothing before them then. */
+    protected final void forget() {
+        lighting.forget();
+    }
+
     /** Nodes of the tree visited so far, leaves included, those of bundles not. */
     public final long nodeVisits() {
         return intersector.nodeVisits();

@@ -22,6 +22,7 @@ import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.tree.Entries;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
@@ -382,6 +383,11 @@ final class Lighting {
             lastOccluder[memory] = occluder;
         }
         return product;
+    }
+
+    /** Forgets what last stood in the way. */
+    void forget() {
+        Arrays.fill(lastOccluder, null);
     }
 
     /** Whether the shadow ray meets a boundary that was found, which may lie in one place with its start. */

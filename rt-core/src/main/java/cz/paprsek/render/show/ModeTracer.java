@@ -40,6 +40,7 @@ public final class ModeTracer extends Whitted {
     }
 
     private double counted(Eye eye, int x, int y) {
+        forget();
         long rays = rays();
         long nodes = nodeVisits();
         int samples = eachAlone(eye, x, y);

@@ -39,6 +39,7 @@ public final class PathCounts extends Paths {
             return;
         }
         double interval = sums.interval();
+        forget();
         long before = counted();
         for (int i = 0; i < more; i++) {
             traceAlone(eye, x, y, sums.count());
