@@ -29,8 +29,8 @@ public final class Few extends Loose {
     }
 
     @Override
-    public int after() {
-        return MANY;
+    public boolean take(Scratch scratch) {
+        return scratch.rays == MANY || ++scratch.rays == MANY;
     }
 
     /** As one leaf. */
@@ -40,7 +40,8 @@ public final class Few extends Loose {
     }
 
     @Override
-    public void nearest(Ray ray, double[] halves) {
+    public void nearest(Ray ray, Scratch scratch) {
+        double[] halves = scratch.halves;
         row.ask(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, halves);
         for (int i = surfaces.length - 1; i >= 0; i--) {
             if (halves[i] > 0) {
@@ -50,7 +51,8 @@ public final class Few extends Loose {
     }
 
     @Override
-    public @Nullable Surface occluder(Ray ray, Spans through, double[] halves) {
+    public @Nullable Surface occluder(Ray ray, Spans through, Scratch scratch) {
+        double[] halves = scratch.halves;
         row.ask(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, halves);
         for (int i = surfaces.length - 1; i >= 0; i--) {
             if (halves[i] > 0 && blocks(surfaces[i], opaque[i], ray, through)) {

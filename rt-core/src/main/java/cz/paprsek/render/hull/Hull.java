@@ -80,7 +80,7 @@ public final class Hull {
         for (int i = 0; i < sides.length; i++) {
             int side = sides[i];
             int part = some[i].part();
-            walls[side] = new Wall(some[i], low, high);
+            walls[side] = new Wall(some[i], side / 2, low, high);
             starts[slot(part)] = new Start(part, ALL - (1 << side), side / 2 == 0 ? Double.POSITIVE_INFINITY : halfX, side / 2 == 1 ? Double.POSITIVE_INFINITY : halfY,
                     side / 2 == 2 ? Double.POSITIVE_INFINITY : halfZ);
         }
@@ -152,31 +152,24 @@ public final class Hull {
         if (atX < atY && atX < atZ) {
             Wall wall = walls[1 - isNegative(ray.dx)];
             double t = t(wall, ray.ox, ray.dx);
-            double p = y + t * ray.dy;
-            double q = z + t * ray.dz;
-            if (isWithin(p, wall.middleY, wall.halfY - slack) && isWithin(q, wall.middleZ, wall.halfZ - slack)) {
-                return meets(ray, wall, t);
-            }
-            return isWithin(p, 0, halfY - slack) && isWithin(q, 0, halfZ - slack) && asks(ray, wall);
+            return leaves(ray, wall, t, y + t * ray.dy, z + t * ray.dz, halfY - slack, halfZ - slack, slack);
         }
         if (atY < atZ) {
             Wall wall = walls[3 - isNegative(ray.dy)];
             double t = t(wall, ray.oy, ray.dy);
-            double p = x + t * ray.dx;
-            double q = z + t * ray.dz;
-            if (isWithin(p, wall.middleX, wall.halfX - slack) && isWithin(q, wall.middleZ, wall.halfZ - slack)) {
-                return meets(ray, wall, t);
-            }
-            return isWithin(p, 0, halfX - slack) && isWithin(q, 0, halfZ - slack) && asks(ray, wall);
+            return leaves(ray, wall, t, x + t * ray.dx, z + t * ray.dz, halfX - slack, halfZ - slack, slack);
         }
         Wall wall = walls[5 - isNegative(ray.dz)];
         double t = t(wall, ray.oz, ray.dz);
-        double p = x + t * ray.dx;
-        double q = y + t * ray.dy;
-        if (isWithin(p, wall.middleX, wall.halfX - slack) && isWithin(q, wall.middleY, wall.halfY - slack)) {
+        return leaves(ray, wall, t, x + t * ray.dx, y + t * ray.dy, halfX - slack, halfY - slack, slack);
+    }
+
+    /** As above, where it crosses the plane of a wall: at p and q from the middle, where the room reaches up to halfP and halfQ, and by a slack farther. */
+    private static boolean leaves(Ray ray, Wall wall, double t, double p, double q, double halfP, double halfQ, double slack) {
+        if (isWithin(p, wall.middleP, wall.halfP - slack) && isWithin(q, wall.middleQ, wall.halfQ - slack)) {
             return meets(ray, wall, t);
         }
-        return isWithin(p, 0, halfX - slack) && isWithin(q, 0, halfY - slack) && asks(ray, wall);
+        return isWithin(p, 0, halfP) && isWithin(q, 0, halfQ) && asks(ray, wall);
     }
 
     /** Where a line crosses the plane of a wall, as it is told by its map. */

@@ -23,9 +23,15 @@ public class Loose {
         areOpaque = all;
     }
 
-    /** After how many rays of a worker they are met so; until then as if in a tree. */
-    public int after() {
-        return 0;
+    /** Of one worker. */
+    public static final class Scratch {
+        final double[] halves = new double[Row.MOST];
+        int rays;
+    }
+
+    /** Whether the worker's next ray is to meet them so, rather than as if in a tree. */
+    public boolean take(Scratch scratch) {
+        return true;
     }
 
     /** As how many leaves of a tree they count. */
@@ -33,12 +39,8 @@ public class Loose {
         return 0;
     }
 
-    /**
-     * As of a surface.
-     *
-     * @param scratch of the worker's, {@link Row#MOST} numbers
-     */
-    public void nearest(Ray ray, double[] scratch) {
+    /** As of a surface. */
+    public void nearest(Ray ray, Scratch scratch) {
         for (Surface surface : surfaces) {
             surface.nearest(ray);
         }
@@ -48,10 +50,9 @@ public class Loose {
      * Looks for what stands between the ray's min and max.
      *
      * @param through receives the boundaries of transparent bodies; incomplete if the answer is not null
-     * @param scratch as above
      * @return the first opaque body found, or null
      */
-    public @Nullable Surface occluder(Ray ray, Spans through, double[] scratch) {
+    public @Nullable Surface occluder(Ray ray, Spans through, Scratch scratch) {
         if (areOpaque) {
             for (Surface surface : surfaces) {
                 if (surface.occludes(ray)) {

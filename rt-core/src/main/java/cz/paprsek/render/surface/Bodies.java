@@ -288,8 +288,7 @@ public final class Bodies {
         private final @Nullable Finder beside;
         private Spans through = new Spans();
         private int occluder;
-        private long asked;
-        private final double[] scratch = new double[Row.MOST];
+        private final Loose.Scratch scratch = new Loose.Scratch();
         /** Where the ray starts, for the tree: not before its origin, or a little. */
         private double back;
 
@@ -307,7 +306,7 @@ public final class Bodies {
         }
 
         private boolean isSoFar(Loose among) {
-            boolean is = ++asked > among.after();
+            boolean is = among.take(scratch);
             visit(is ? among.visits() : 0);
             return is;
         }
