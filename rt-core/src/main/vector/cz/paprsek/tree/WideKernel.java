@@ -5,16 +5,14 @@ import jdk.incubator.vector.FloatVector;
 
 /** Trees of as many children a node as vectors hold floats, all asked about at once. Loaded by name, and only where the module {@code jdk.incubator.vector} is present. */
 final class WideKernel extends Kernel {
-    private static final int WIDTH = FloatVector.SPECIES_PREFERRED.length() >= SixteenTree.WIDTH ? SixteenTree.WIDTH : EightTree.WIDTH;
-
     @Override
     Tree tree(BinaryNodes nodes) {
-        return WIDTH == SixteenTree.WIDTH ? new SixteenTree(nodes) : new EightTree(nodes);
+        return WideTree.WIDTH == 16 ? new SixteenTree(nodes) : new EightTree(nodes);
     }
 
     @Override
     Tree whole(BinaryNodes nodes) {
-        return PackedNodes.of(nodes, PackedTree.WIDTH).<Tree>map(PackedTree::new).orElseGet(() -> tree(nodes));
+        return PackedNodes.of(nodes, WideTree.WIDTH).<Tree>map(PackedTree::new).orElseGet(() -> tree(nodes));
     }
 
     @Override
@@ -24,12 +22,12 @@ final class WideKernel extends Kernel {
 
     @Override
     String name() {
-        return "vectors of " + WIDTH + " floats";
+        return "vectors of " + WideTree.WIDTH + " floats";
     }
 
     /** Vectors that are wider than the machine's are objects, thousands of times slower. */
     @Override
     boolean isFast() {
-        return FloatVector.SPECIES_PREFERRED.length() >= WIDTH;
+        return FloatVector.SPECIES_PREFERRED.length() >= WideTree.WIDTH;
     }
 }
