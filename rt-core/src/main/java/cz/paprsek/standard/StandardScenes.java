@@ -6,9 +6,11 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Angles;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Block;
@@ -28,10 +30,11 @@ import java.util.Random;
 
 /**
  * Scenes to measure renderers with, the same on every machine: random numbers come from fixed seeds and {@link Random}, whose formula is
- * part of its contract. All are 1280 × 720 pixels, one ray each, five levels deep.
+ * part of its contract. Those of paths are 256 × 256 pixels, 16 paths each, eight levels deep; all others 1280 × 720 pixels, one ray each, five levels deep.
  */
 public final class StandardScenes {
     private static final long SEED = 20_260_101;
+    private static final Material MATT = matt(200, 200, 200);
     private static final Material GREY = Material.color(200, 200, 200).withDiffusion(0.7).withHighlight(0.4, 40);
 
     private StandardScenes() {}
@@ -107,16 +110,55 @@ public final class StandardScenes {
     /** A ring with waves, of about so many triangles, all of one mesh, over a floor; three lights. */
     public static Scene mesh(int triangles) {
         return threeLights(empty("mesh" + triangles, new Vec3(0, 2.4, 3.6), new Vec3(0, 0.4, 0)).withObjects(List.of(floor(6, 0.15),
-                SceneObject.of(Mesh.of(ring(triangles))).madeOf(mirror(new Rgb(200, 170, 120), 0.2)))));
+                SceneObject.of(Mesh.of(waves(triangles))).madeOf(mirror(new Rgb(200, 170, 120), 0.2)))));
     }
 
     /** One ring of about so many triangles, strewn and turned at random in many places; three lights. */
     public static Scene instances(int bodies, int triangles) {
         Require.within("bodies", bodies, 1, 10_000_000);
-        return strewn("instances" + bodies, bodies, Mesh.of(ring(triangles)));
+        return strewn("instances" + bodies, bodies, Mesh.of(waves(triangles)));
     }
 
-    private static Triangles ring(int triangles) {
+    /** The ring by itself, matt; one light. */
+    public static Scene ring(int triangles) {
+        return empty("ring" + triangles, new Vec3(0, 2.4, 3.6), new Vec3(0, 0.4, 0)).plus(Light.at(6, 8, 6)).plus(SceneObject.of(Mesh.of(waves(triangles))).madeOf(MATT));
+    }
+
+    /**
+     * The box of Cornell, in decimetres, with its two blocks: light that goes from wall to wall. By paths.
+     *
+     * @source Cornell University Program of Computer Graphics, Cornell Box Data, as in scenes/cornell.xml
+     */
+    public static Scene box() {
+        Material white = matt(241.746, 217.69, 213.147);
+        return room("box", white, matt(198.836, 58.496, 59.44), matt(91.336, 165.34, 78.12)).plus(
+                SceneObject.of(new Block(new Vec3(-0.825, 0, -0.825), new Vec3(0.825, 1.65, 0.825))).at(1.855, 0, 1.69).rotated(0, -16.8, 0).madeOf(white),
+                SceneObject.of(new Block(new Vec3(-0.825, 0, -0.825), new Vec3(0.825, 3.3, 0.825))).at(3.685, 0, 3.5125).rotated(0, 17.3, 0).madeOf(white));
+    }
+
+    /** The same room, all of it light and matt, with a ring of about so many triangles in place of the blocks. By paths. */
+    public static Scene interior(int triangles) {
+        return room("interior" + triangles, MATT, MATT, MATT).plus(
+                SceneObject.of(Mesh.of(waves(triangles))).at(2.764, 1.8, 2.8).rotated(-50, 0, 20).scaled(1.6, 1.6, 1.6).madeOf(MATT));
+    }
+
+    private static Scene room(String name, Material white, Material left, Material right) {
+        return Scene.EMPTY.withName(name).withSettings(new RenderSettings(256, 256, 8, 1).withIntegrator(Integrator.PATH).withSamples(16))
+                .withCamera(Camera.lookingAt(new Vec3(2.78, 2.73, -8), new Vec3(2.78, 2.73, 0)).withFovy(39.3077))
+                .plus(AreaLight.rectangle(new Vec3(2.78, 5.487, 2.795), 1.3, 1.05).withRotation(new Vec3(90, 0, 0)).withColor(new Rgb(255, 226.025, 163.211)).withIntensity(7.989))
+                .withObjects(List.of(
+                        SceneObject.of(new Rectangle(0, 0, 5.528, 5.592)).rotated(90, 0, 0).madeOf(white),
+                        SceneObject.of(new Rectangle(0, 0, 5.528, 5.592)).at(0, 5.488, 0).rotated(90, 0, 0).madeOf(white),
+                        SceneObject.of(new Rectangle(0, 0, 5.528, 5.488)).at(0, 0, 5.592).madeOf(white),
+                        SceneObject.of(new Rectangle(0, 0, 5.592, 5.488)).at(5.528, 0, 0).rotated(0, -90, 0).madeOf(left),
+                        SceneObject.of(new Rectangle(0, 0, 5.592, 5.488)).rotated(0, -90, 0).madeOf(right)));
+    }
+
+    private static Material matt(double red, double green, double blue) {
+        return Material.color(red, green, blue).withDiffusion(1);
+    }
+
+    private static Triangles waves(int triangles) {
         Require.within("triangles", triangles, 100, 50_000_000);
         int tube = (int) Math.round(Math.sqrt(triangles / 8.0));
         int around = 4 * tube;

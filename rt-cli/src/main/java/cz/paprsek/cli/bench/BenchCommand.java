@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -32,6 +33,7 @@ import picocli.CommandLine.Option;
             "Examples:",
             "  paprsek bench",
             "  paprsek bench --against povray                  in turn with POV-Ray",
+            "  paprsek bench --against mitsuba                 paths, and rays in turn with Embree",
             "  paprsek bench --against-jar old.jar --rounds 9  whether a change made it slower",
             "  paprsek bench --scale --rounds 3                how time and memory grow",
             "  paprsek bench --scene few --scene cloud1M --threads 2 --json"
@@ -40,7 +42,23 @@ public final class BenchCommand implements Callable<Integer> {
     private static final int MOST_ROUNDS = 1000;
 
     /** Whom to compare with. */
-    public enum Opponent { povray }
+    public enum Opponent {
+        /** Follows no paths. */
+        povray,
+        mitsuba;
+
+        /** What is measured if no scenes are named. */
+        Collection<String> names() {
+            return this == mitsuba ? BenchScenes.mitsubasNames() : BenchScenes.standardNames();
+        }
+
+        private void check(String name) {
+            if (this == mitsuba ? !BenchScenes.mitsubasNames().contains(name) : BenchScenes.pathNames().contains(name)) {
+                throw new WrongUsage("--against " + this + " does not go with --scene " + name + ": "
+                        + (this == mitsuba ? "it is for " + String.join(", ", names()) : "POV-Ray follows no paths; --against mitsuba does"));
+            }
+        }
+    }
 
     private final Terminal terminal;
     private final Stop stop;
@@ -53,7 +71,7 @@ public final class BenchCommand implements Callable<Integer> {
     private boolean scale;
 
     @Option(names = "--against", paramLabel = "PROGRAM", description =
-            "Renders each scene in turn with ${COMPLETION-CANDIDATES} on as many threads, and tells how many times its processor time is ours.")
+            "Renders each scene in turn with ${COMPLETION-CANDIDATES} on as many threads, and tells how many times its processor time is ours. Mitsuba 3, as Python has it, follows paths, and finds what rays hit with Embree.")
     private Optional<Opponent> against;
 
     @Option(names = "--against-jar", paramLabel = "OLD.jar", description =
@@ -66,7 +84,7 @@ public final class BenchCommand implements Callable<Integer> {
     @Option(names = "--rounds", paramLabel = "N", defaultValue = "7", description = "How often each scene is measured, 1-1000. Default: 7.")
     private int rounds;
 
-    @Option(names = "--size", paramLabel = "WxH", description = "Width and height in pixels. Default: 1280x720.")
+    @Option(names = "--size", paramLabel = "WxH", description = "Width and height in pixels. Default: 1280x720, of paths 256x256.")
     private Optional<Size> size;
 
     @Option(names = "--json", description = "Prints a JSON object for every scene, one a line, instead of a table.")
@@ -85,21 +103,12 @@ public final class BenchCommand implements Callable<Integer> {
         requireWithin("--threads", threads, 1024);
         requireWithin("--rounds", rounds, MOST_ROUNDS);
         names.forEach(BenchScenes::check);
-        Optional<PovRay> opponent = against.map(program -> PovRay.installed()
-                .orElseThrow(() -> new WrongUsage("--against povray needs POV-Ray, but no program \"povray\" is on the search path")));
-        if (opponent.isPresent() && jar.isPresent()) {
+        if (against.isPresent() && jar.isPresent()) {
             throw new WrongUsage("--against and --against-jar: compare with one at a time");
         }
-        Optional<Rival> rival = opponent.<Rival>map(povRay -> new PovRayRival(povRay, stop)).or(() -> jar.map(file -> new OtherVersion(file, stop)));
-        BenchReport report = new BenchReport(terminal, json, rival.map(Rival::label));
-        report.begin("Java " + Runtime.version() + ", " + Renderer.kernel() + ", " + threads + (threads == 1 ? " thread" : " threads")
-                + jar.map(file -> ", against " + file).orElse("")
-                + opponent.map(povRay -> ", against POV-Ray " + povRay.version()).orElse(""));
-        Benchmark benchmark = new Benchmark(stop, size, threads, rounds, rival);
+        against.ifPresent(opponent -> names.forEach(opponent::check));
         try {
-            for (String name : !names.isEmpty() ? names : scale ? BenchScenes.growingNames() : BenchScenes.standardNames()) {
-                report.add(benchmark.run(name));
-            }
+            measure();
             return ExitCode.DONE;
         } catch (InterruptedIOException stopped) {
             return Interruption.told(terminal, json);
@@ -110,6 +119,38 @@ public final class BenchCommand implements Callable<Integer> {
             terminal.message("paprsek: " + Memory.sentence("the scene", 0));
             return ExitCode.FAILED;
         }
+    }
+
+    private void measure() throws IOException {
+        if (against.isEmpty() && jar.isEmpty()) {
+            measure(Optional.empty());
+            return;
+        }
+        try (Rival rival = rival()) {
+            measure(Optional.of(rival));
+        }
+    }
+
+    private Rival rival() throws IOException {
+        if (jar.isPresent()) {
+            return new OtherVersion(jar.get(), stop);
+        }
+        return against.get() == Opponent.mitsuba ? new Mitsuba(threads, stop) : new PovRayRival(PovRay.installed()
+                .orElseThrow(() -> new WrongUsage("--against povray needs POV-Ray, but no program \"povray\" is on the search path")), stop);
+    }
+
+    private void measure(Optional<Rival> rival) throws IOException {
+        BenchReport report = new BenchReport(terminal, json, rival.map(Rival::label));
+        report.begin("Java " + Runtime.version() + ", " + Renderer.kernel() + ", " + threads + (threads == 1 ? " thread" : " threads")
+                + rival.map(one -> ", against " + one.version()).orElse(""));
+        Benchmark benchmark = new Benchmark(stop, size, threads, rounds, rival);
+        for (String name : names.isEmpty() ? usualNames() : names) {
+            report.add(benchmark.run(name));
+        }
+    }
+
+    private Collection<String> usualNames() {
+        return scale ? BenchScenes.growingNames() : against.map(Opponent::names).orElse(BenchScenes.standardNames());
     }
 
     private static void requireWithin(String option, int value, int most) {

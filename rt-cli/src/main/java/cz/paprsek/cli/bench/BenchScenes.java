@@ -4,17 +4,21 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.standard.StandardScenes;
 import cz.paprsek.text.Similar;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 
 /** Scenes to measure by name, in the order of the table. */
 final class BenchScenes implements Iterable<String> {
+    private static final String RING = "ring1M";
     private static final Map<String, Supplier<Scene>> STANDARD = standard();
     private static final Map<String, Supplier<Scene>> GROWING = growing();
+    private static final Map<String, Supplier<Scene>> PATHS = paths();
     private static final Map<String, Supplier<Scene>> KNOWN = known();
 
     private static Map<String, Supplier<Scene>> standard() {
@@ -43,10 +47,20 @@ final class BenchScenes implements Iterable<String> {
         return Collections.unmodifiableMap(scenes);
     }
 
+    /** Those in which light is followed by paths. */
+    private static Map<String, Supplier<Scene>> paths() {
+        Map<String, Supplier<Scene>> scenes = new LinkedHashMap<>();
+        scenes.put("box", StandardScenes::box);
+        scenes.put("interior1M", () -> StandardScenes.interior(1_000_000));
+        return Collections.unmodifiableMap(scenes);
+    }
+
     private static Map<String, Supplier<Scene>> known() {
         Map<String, Supplier<Scene>> scenes = new LinkedHashMap<>(STANDARD);
         scenes.put("mesh10M", () -> StandardScenes.mesh(10_000_000));
         scenes.put("instances", () -> StandardScenes.instances(1000, 100_000));
+        scenes.putAll(PATHS);
+        scenes.put(RING, () -> StandardScenes.ring(1_000_000));
         GROWING.forEach(scenes::putIfAbsent);
         return Collections.unmodifiableMap(scenes);
     }
@@ -63,6 +77,16 @@ final class BenchScenes implements Iterable<String> {
     /** The names of those that show how cost grows. */
     static Set<String> growingNames() {
         return GROWING.keySet();
+    }
+
+    /** The names of those in which light is followed by paths. */
+    static Set<String> pathNames() {
+        return PATHS.keySet();
+    }
+
+    /** The names of those that are compared with Mitsuba: paths, and rays that meet many triangles. */
+    static Collection<String> mitsubasNames() {
+        return Stream.concat(PATHS.keySet().stream(), Stream.of(RING)).toList();
     }
 
     /** All names; picocli shows them as completion candidates. */

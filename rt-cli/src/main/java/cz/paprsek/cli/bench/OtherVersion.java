@@ -22,6 +22,7 @@ import java.util.concurrent.ConcurrentHashMap;
 final class OtherVersion implements Rival {
     private static final String[] MAKERS = {"cz.paprsek.cli.bench.BenchScenes", "cz.paprsek.cli.BenchScenes"};
 
+    private final Path jar;
     private final ClassLoader loader;
     private final Stop stop;
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
@@ -35,6 +36,7 @@ final class OtherVersion implements Rival {
         if (!Files.isRegularFile(jar)) {
             throw new WrongUsage("--against-jar: there is no file " + jar);
         }
+        this.jar = jar;
         this.stop = stop;
         try {
             this.loader = new URLClassLoader(new URL[] {jar.toUri().toURL()}, ClassLoader.getPlatformClassLoader());
@@ -47,6 +49,11 @@ final class OtherVersion implements Rival {
     @Override
     public String label() {
         return "old";
+    }
+
+    @Override
+    public String version() {
+        return jar.toString();
     }
 
     @Override

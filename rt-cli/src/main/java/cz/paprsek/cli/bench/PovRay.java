@@ -12,13 +12,11 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 
 /** The program POV-Ray on this machine. */
 final class PovRay {
@@ -107,8 +105,8 @@ final class PovRay {
      * @throws InterruptedException as above
      */
     String render(Scene scene, Assets assets, int threads, Path picture) throws IOException, InterruptedException {
-        Path folder = Files.createTempDirectory("paprsek-pov");
-        try {
+        try (TemporaryFolder temporary = TemporaryFolder.create("paprsek-pov")) {
+            Path folder = temporary.path();
             PovFiles.write(scene, folder.resolve("scene.pov"));
             for (String name : scene.files()) {
                 ByteBuffer bytes = assets.bytes(name);
@@ -125,8 +123,6 @@ final class PovRay {
             }
             AtomicFile.write(picture, out -> Files.copy(made, out));
             return log;
-        } finally {
-            delete(folder);
         }
     }
 
@@ -137,13 +133,10 @@ final class PovRay {
      * @throws InterruptedException as above
      */
     Image render(String words, int width, int height) throws IOException, InterruptedException {
-        Path folder = Files.createTempDirectory("paprsek-pov");
-        try {
-            Files.writeString(folder.resolve("scene.pov"), words);
-            run(folder, command("scene.pov", "scene.png", width, height, 1));
-            return ImageFiles.read(folder.resolve("scene.png"));
-        } finally {
-            delete(folder);
+        try (TemporaryFolder folder = TemporaryFolder.create("paprsek-pov")) {
+            Files.writeString(folder.path().resolve("scene.pov"), words);
+            run(folder.path(), command("scene.pov", "scene.png", width, height, 1));
+            return ImageFiles.read(folder.path().resolve("scene.png"));
         }
     }
 
@@ -179,13 +172,5 @@ final class PovRay {
     private static String lastLines(String log) {
         List<String> lines = log.lines().map(String::strip).filter(line -> !line.isEmpty()).toList();
         return String.join(" / ", lines.subList(Math.max(0, lines.size() - 6), lines.size()));
-    }
-
-    private static void delete(Path folder) throws IOException {
-        try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                Files.delete(file);
-            }
-        }
     }
 }

@@ -13,6 +13,11 @@ record PovRayRival(PovRay povRay, Stop stop) implements Rival {
     }
 
     @Override
+    public String version() {
+        return "POV-Ray " + povRay.version();
+    }
+
+    @Override
     public boolean warmsUp() {
         return false;
     }
