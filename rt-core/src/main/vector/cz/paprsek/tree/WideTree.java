@@ -100,17 +100,16 @@ abstract class WideTree extends Tree {
         int[] atX = frustum.atX;
         int[] atY = frustum.atY;
         int[] atZ = frustum.atZ;
-        FloatVector a = FloatVector.fromArray(FLOATS, nodeData, node + atX[0]).mul(x[0]).add(FloatVector.fromArray(FLOATS, nodeData, node + atY[0]).mul(y[0]))
-                .add(FloatVector.fromArray(FLOATS, nodeData, node + atZ[0]).mul(z[0])).add(w[0]);
-        FloatVector b = FloatVector.fromArray(FLOATS, nodeData, node + atX[1]).mul(x[1]).add(FloatVector.fromArray(FLOATS, nodeData, node + atY[1]).mul(y[1]))
-                .add(FloatVector.fromArray(FLOATS, nodeData, node + atZ[1]).mul(z[1])).add(w[1]);
-        FloatVector c = FloatVector.fromArray(FLOATS, nodeData, node + atX[2]).mul(x[2]).add(FloatVector.fromArray(FLOATS, nodeData, node + atY[2]).mul(y[2]))
-                .add(FloatVector.fromArray(FLOATS, nodeData, node + atZ[2]).mul(z[2])).add(w[2]);
-        FloatVector d = FloatVector.fromArray(FLOATS, nodeData, node + atX[3]).mul(x[3]).add(FloatVector.fromArray(FLOATS, nodeData, node + atY[3]).mul(y[3]))
-                .add(FloatVector.fromArray(FLOATS, nodeData, node + atZ[3]).mul(z[3])).add(w[3]);
+        IntVector a = FloatVector.fromArray(FLOATS, nodeData, node + atX[0]).mul(x[0]).add(FloatVector.fromArray(FLOATS, nodeData, node + atY[0]).mul(y[0]))
+                .add(FloatVector.fromArray(FLOATS, nodeData, node + atZ[0]).mul(z[0])).add(w[0]).reinterpretAsInts();
+        IntVector b = FloatVector.fromArray(FLOATS, nodeData, node + atX[1]).mul(x[1]).add(FloatVector.fromArray(FLOATS, nodeData, node + atY[1]).mul(y[1]))
+                .add(FloatVector.fromArray(FLOATS, nodeData, node + atZ[1]).mul(z[1])).add(w[1]).reinterpretAsInts();
+        IntVector c = FloatVector.fromArray(FLOATS, nodeData, node + atX[2]).mul(x[2]).add(FloatVector.fromArray(FLOATS, nodeData, node + atY[2]).mul(y[2]))
+                .add(FloatVector.fromArray(FLOATS, nodeData, node + atZ[2]).mul(z[2])).add(w[2]).reinterpretAsInts();
+        IntVector d = FloatVector.fromArray(FLOATS, nodeData, node + atX[3]).mul(x[3]).add(FloatVector.fromArray(FLOATS, nodeData, node + atY[3]).mul(y[3]))
+                .add(FloatVector.fromArray(FLOATS, nodeData, node + atZ[3]).mul(z[3])).add(w[3]).reinterpretAsInts();
         // Outside a plane is what lies below zero.
-        LongVector outside = a.reinterpretAsInts().lanewise(VectorOperators.OR, b.reinterpretAsInts())
-                .lanewise(VectorOperators.OR, c.reinterpretAsInts().lanewise(VectorOperators.OR, d.reinterpretAsInts())).lanewise(VectorOperators.LSHR, 31)
+        LongVector outside = a.lanewise(VectorOperators.OR, b).lanewise(VectorOperators.OR, c.lanewise(VectorOperators.OR, d)).lanewise(VectorOperators.LSHR, 31)
                 .convertShape(VectorOperators.I2B, BYTES, 0).reinterpretShape(LONGS, 0).reinterpretAsLongs();
         int top = from;
         for (long hits = (ARE_SIXTEEN ? outside.lane(0) | outside.lane(1) << 4 : outside.lane(0)) ^ ALL; hits != 0; hits &= hits - 1) {
