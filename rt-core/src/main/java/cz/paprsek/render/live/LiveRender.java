@@ -149,13 +149,14 @@ public final class LiveRender implements AutoCloseable {
         RenderScene scene = prepared(request, unlessStopped);
         ready = scene;
         LivePass pass = LivePass.at(scene, request.settings(), firstStep);
-        RenderResult result = render(pass, unlessStopped);
+        // One processor is left to whoever shows what a hand does; what comes after the first pass gives way to the next scene anyway.
+        RenderResult result = render(pass, Math.max(1, threads - 1), unlessStopped);
         request.listener().painted(pass, result.image(), new Tile(0, 0, result.image().width(), result.image().height()));
         request.listener().completed(pass, result);
         adapt(result);
         while (!pass.isLast()) {
             pass = pass.next();
-            request.listener().completed(pass, render(pass, new Refinement(pass, request.listener())));
+            request.listener().completed(pass, render(pass, threads, new Refinement(pass, request.listener())));
         }
     }
 
@@ -170,8 +171,8 @@ public final class LiveRender implements AutoCloseable {
         }
     }
 
-    private RenderResult render(LivePass pass, RenderMonitor monitor) throws Superseded {
-        RenderResult result = renderer.next(pass.scene(), pass.options(threads), monitor);
+    private RenderResult render(LivePass pass, int workers, RenderMonitor monitor) throws Superseded {
+        RenderResult result = renderer.next(pass.scene(), pass.options(workers), monitor);
         if (result.outcome() == RenderResult.Outcome.CANCELLED) {
             throw superseded(monitor);
         }

@@ -55,6 +55,7 @@ final class LivePicture extends Region implements AutoCloseable {
         frame.setMouseTransparent(true);
         getStyleClass().add("live-picture");
         // Else each of them, when it changes, would have the other laid out again.
+        rays.setVisible(false);
         view.setManaged(false);
         frame.setManaged(false);
         getChildren().addAll(view, frame, overlay, rays);
@@ -126,6 +127,7 @@ final class LivePicture extends Region implements AutoCloseable {
 
     /** Draws rays above the picture. */
     void setRays(Optional<DrawnRays> drawn) {
+        rays.setVisible(drawn.isPresent());
         rays.setPainter(g -> drawn.ifPresent(known -> RayOverlay.paint(g, known)));
     }
 

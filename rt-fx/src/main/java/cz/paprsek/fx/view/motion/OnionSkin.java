@@ -36,6 +36,11 @@ public final class OnionSkin {
         this.clock = clock;
     }
 
+    /** Whether there may be anything to draw. */
+    public boolean isSeen() {
+        return clock.openProperty().get();
+    }
+
     /** Gives out the objects that are otherwise at the time that is looked at, as they are then, and whether each, or something in it, is selected. */
     public void passing(BiConsumer<SceneObject, Boolean> painter) {
         EditorState state = model.state();

@@ -45,6 +45,11 @@ interface Drag {
     /** Draws what helps meanwhile. */
     default void draw(GraphicsContext g) {}
 
+    /** Whether that may be drawn anywhere in the pane. */
+    default boolean isWide() {
+        return true;
+    }
+
     /** One that changes the scene: what it does is seen meanwhile, kept at the end, and taken back by Escape. */
     abstract class Changing implements Drag {
         final Gesture gesture;

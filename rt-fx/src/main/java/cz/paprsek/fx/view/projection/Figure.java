@@ -15,12 +15,14 @@ import java.util.List;
 /**
  * An object or operand as a projection draws it: lines in the projection's plane.
  *
- * @param lines each as u and v in turn
+ * @param lines each as u and v in turn, as it was drawn first
+ * @param byU how far it has been moved since
+ * @param byV how far it has been moved since
  * @param operands the same of its operands
  * @param ghost whether it takes away rather than adds, or is left out of pictures
  * @param box around the lines, its own and those of operands that add; empty for what has no end
  */
-record Figure(List<double[]> lines, List<Figure> operands, boolean ghost, Box box) {
+record Figure(List<double[]> lines, double byU, double byV, List<Figure> operands, boolean ghost, Box box) {
     /** How fine lines are, by the straight pieces of a circle: of all shapes, and of meshes. */
     enum Fineness {
         FINE(72, 72),
@@ -59,7 +61,7 @@ record Figure(List<double[]> lines, List<Figure> operands, boolean ghost, Box bo
                 box = box.union(operand.box);
             }
         }
-        return new Figure(lines, operands, ghost, box);
+        return new Figure(lines, 0, 0, operands, ghost, box);
     }
 
     private static List<double[]> lines(Shape shape, Affine toWorld, Axes axes, Fineness fineness) {
@@ -87,6 +89,12 @@ record Figure(List<double[]> lines, List<Figure> operands, boolean ghost, Box bo
         return box;
     }
 
+    /** The same elsewhere. */
+    Figure moved(double u, double v) {
+        return new Figure(lines, byU + u, byV + v, operands.stream().map(operand -> operand.moved(u, v)).toList(), ghost,
+                new Box(box.minU() + u, box.minV() + v, box.maxU() + u, box.maxV() + v));
+    }
+
     /** The figure of what is at the end of a path below this one. */
     Figure at(List<Integer> path) {
         return path.isEmpty() ? this : operands.get(path.get(0)).at(path.subList(1, path.size()));
@@ -97,7 +105,7 @@ record Figure(List<double[]> lines, List<Figure> operands, boolean ghost, Box bo
         double nearest = Double.POSITIVE_INFINITY;
         for (double[] line : lines) {
             for (int i = 2; i < line.length; i += 2) {
-                nearest = Math.min(nearest, distance(u, v, line[i - 2], line[i - 1], line[i], line[i + 1]));
+                nearest = Math.min(nearest, distance(u - byU, v - byV, line[i - 2], line[i - 1], line[i], line[i + 1]));
             }
         }
         for (Figure operand : operands) {

@@ -16,11 +16,14 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /** The figures of a scene's objects in one projection, each made once and kept as long as its object is in the scene. */
 final class Figures {
     /** From how many objects on circles are drawn coarsely. */
     private static final int MANY = 2000;
+    /** More things are not looked through for what lies within their boxes. */
+    private static final int FEW = 50;
 
     private final Axes axes;
     private final IdentityHashMap<SceneObject, Figure> known = new IdentityHashMap<>();
@@ -42,11 +45,30 @@ final class Figures {
         isMoved = changing;
         if (fresh.objects().size() == scene.objects().size()) {
             // What still stands somewhere else is drawn anew when it is asked for.
-            Arrays.stream(scene.objectsOtherThanIn(fresh)).mapToObj(scene.objects()::get).forEach(known::remove);
+            Arrays.stream(scene.objectsOtherThanIn(fresh)).forEach(i -> follow(scene.objects().get(i), fresh.objects().get(i)));
         } else {
             known.keySet().retainAll(identities(fresh.objects()));
         }
         scene = fresh;
+    }
+
+    /** What a hand only moves keeps its lines. */
+    private void follow(SceneObject old, SceneObject now) {
+        Figure figure = known.remove(old);
+        if (figure != null && isMoved && old.shape() == now.shape() && now.placement().equals(old.placement().withPosition(now.placement().position())) && old.hidden() == now.hidden()) {
+            Vec3 by = now.placement().position().minus(old.placement().position());
+            known.put(now, figure.moved(axes.u(by), axes.v(by)));
+            moving.remove(old);
+            moving.add(now);
+        }
+    }
+
+    /** Whether all is as in another scene, but for some items. */
+    boolean isLike(Scene other, Set<ScenePath> apart) {
+        return scene.objects().size() == other.objects().size() && scene.lights().size() == other.lights().size()
+                && Arrays.stream(scene.objectsOtherThanIn(other)).mapToObj(ScenePath::body).allMatch(apart::contains)
+                && IntStream.range(0, scene.lights().size()).filter(i -> !scene.lights().get(i).equals(other.lights().get(i)))
+                        .mapToObj(ScenePath::light).allMatch(apart::contains);
     }
 
     private static Set<SceneObject> identities(List<SceneObject> objects) {
@@ -81,6 +103,19 @@ final class Figures {
 
     Figure of(BodyAt at) {
         return of(scene.objects().get(at.numbers().get(0))).at(at.numbers().subList(1, at.numbers().size()));
+    }
+
+    /** Whether all that is drawn of items when they are selected lies within their boxes, but for what they are grabbed by; of many it may, and is not looked for. */
+    boolean areWithinBoxes(Set<ScenePath> items) {
+        return items.size() <= FEW && items.stream().allMatch(this::isWithinBox);
+    }
+
+    private boolean isWithinBox(ScenePath item) {
+        if (item instanceof BodyAt body && body.depth() == 0) {
+            Figure figure = of(body);
+            return figure.operands().isEmpty() && !figure.box().isEmpty();
+        }
+        return item instanceof CameraAt;
     }
 
     /** The box around an item; a point for cameras and lights without a size. */

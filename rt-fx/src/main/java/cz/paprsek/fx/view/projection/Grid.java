@@ -34,9 +34,10 @@ final class Grid {
         axis(g, view, axes, palette);
     }
 
-    /** The numbers of the lines, over whatever would strike them through. */
+    /** The numbers of the lines and the names of the axes, over whatever would strike them through. */
     static void numbers(GraphicsContext g, Viewport view, Axes axes, Palette palette, Locale locale) {
         labels(g, view, axes, 5 * Rounds.step(view.scale()), palette, DecimalFormatSymbols.getInstance(locale).getDecimalSeparator());
+        names(g, view, axes, palette);
     }
 
     private static void lines(GraphicsContext g, Viewport view, double step, Color color) {
@@ -89,7 +90,7 @@ final class Grid {
     }
 
     /** The names of the axes, where these leave the pane. */
-    static void names(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
+    private static void names(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
         g.setFont(LETTER_FONT);
         g.setTextAlign(TextAlignment.CENTER);
         g.setFill(color(axes.right(), palette));

@@ -94,6 +94,11 @@ final class MoveDrag extends Drag.Placing {
     }
 
     @Override
+    public boolean isWide() {
+        return !Double.isNaN(guideU) || !Double.isNaN(guideV);
+    }
+
+    @Override
     public void draw(GraphicsContext g) {
         g.setStroke(guideColor);
         g.setLineDashes(4, 4);

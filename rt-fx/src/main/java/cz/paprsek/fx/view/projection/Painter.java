@@ -49,6 +49,18 @@ final class Painter {
         this.palette = palette;
     }
 
+    /** On another canvas of the pane, where names keep off the same. */
+    Painter on(GraphicsContext other) {
+        Painter painter = new Painter(other, view, axes, palette);
+        painter.taken.addAll(taken);
+        return painter;
+    }
+
+    /** What names keep off. */
+    List<Bounds> taken() {
+        return List.copyOf(taken);
+    }
+
     /** All objects and lights that are neither hidden nor drawn apart. */
     void rest(Set<ScenePath> hidden, Set<ScenePath> apart, Figures figures) {
         Set<ScenePath> without = new HashSet<>(hidden);
@@ -251,11 +263,11 @@ final class Painter {
                 : Math.max(figure.box().width(), figure.box().height()) * view.scale();
         for (double[] line : figure.lines()) {
             int stride = 2 * Math.max(1, (int) (line.length / 2.0 / (4 + size)));
-            g.moveTo(view.x(line[0]), view.y(line[1]));
+            g.moveTo(view.x(line[0] + figure.byU()), view.y(line[1] + figure.byV()));
             for (int i = stride; i < line.length - 2; i += stride) {
-                g.lineTo(view.x(line[i]), view.y(line[i + 1]));
+                g.lineTo(view.x(line[i] + figure.byU()), view.y(line[i + 1] + figure.byV()));
             }
-            g.lineTo(view.x(line[line.length - 2]), view.y(line[line.length - 1]));
+            g.lineTo(view.x(line[line.length - 2] + figure.byU()), view.y(line[line.length - 1] + figure.byV()));
         }
     }
 
@@ -327,12 +339,12 @@ final class Painter {
     }
 
     /** All cameras; the one looked through is drawn last, above the others. */
-    void cameras(EditorState state, Texts texts) {
-        int count = state.scene().cameras().size();
+    void cameras(EditorState state, List<CameraSketch> sketches, Texts texts) {
+        int count = sketches.size();
         for (int i = 1; i <= count; i++) {
             int camera = (state.eye() + i) % count;
             if (!state.isHidden(ScenePath.camera(camera))) {
-                camera(state, camera, count > 1 && !isCovered(state, camera) ? PathNames.of(state.scene(), ScenePath.camera(camera), texts) : "");
+                camera(state, camera, sketches.get(camera), count > 1 && !isCovered(state, camera) ? PathNames.of(state.scene(), ScenePath.camera(camera), texts) : "");
             }
         }
     }
@@ -351,8 +363,7 @@ final class Painter {
      *
      * @param name beside it; empty for none
      */
-    private void camera(EditorState state, int index, String name) {
-        CameraSketch sketch = CameraSketch.of(state.scene(), index);
+    private void camera(EditorState state, int index, CameraSketch sketch, String name) {
         boolean isSelected = state.selection().contains(ScenePath.camera(index));
         boolean isThin = !isSelected && index != state.eye();
         double x = x(sketch.eye());

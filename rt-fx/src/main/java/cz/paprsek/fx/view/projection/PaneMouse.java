@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.model.edit.Pivots;
+import cz.paprsek.fx.view.command.NextFrame;
 import cz.paprsek.fx.view.projection.Grips.Grip;
 import cz.paprsek.fx.view.section.SectionSkin;
 import cz.paprsek.fx.view.texts.PathNames;
@@ -40,6 +41,7 @@ final class PaneMouse {
 
     private final ProjectionPane pane;
     private final EditorModel model;
+    private final NextFrame next;
     private boolean spaceHeld;
     private double pressX;
     private double pressY;
@@ -55,6 +57,7 @@ final class PaneMouse {
     PaneMouse(ProjectionPane pane) {
         this.pane = pane;
         this.model = pane.model();
+        this.next = new NextFrame(pane, this::follow);
         pane.setOnMousePressed(this::pressed);
         pane.setOnMouseDragged(this::dragged);
         pane.setOnMouseReleased(this::released);
@@ -106,12 +109,13 @@ final class PaneMouse {
             setDrag(begin(event));
         }
         keys = new Drag.Keys(event.isShortcutDown(), event.isShiftDown());
-        follow();
+        next.ask();
     }
 
     private void released(MouseEvent event) {
         // A quick hand on a busy machine may be told of only here.
         dragged(event);
+        next.now();
         boolean wasClick = pressed && drag == null;
         if (drag != null) {
             drag.end();
@@ -299,6 +303,7 @@ final class PaneMouse {
             spaceHeld = true;
             event.consume();
         } else if (event.getCode() == KeyCode.ESCAPE && (drag != null || pressed)) {
+            next.drop();
             if (drag != null) {
                 drag.cancel();
             }
@@ -330,6 +335,7 @@ final class PaneMouse {
     }
 
     private void follow() {
+        next.drop();
         Drag current = drag;
         if (current == null) {
             return;

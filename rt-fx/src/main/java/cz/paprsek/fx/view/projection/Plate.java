@@ -81,6 +81,14 @@ final class Plate {
         }
     }
 
+    /** Where those are, pixels; they are kept within the pane. */
+    static Bounds besides(Viewport view, String figures, Point2D mouse) {
+        Bounds size = size(FIGURES, figures);
+        double x = Math.min(mouse.getX() + AWAY, view.width() - size.getWidth()) - 2 * MARGIN;
+        double y = Math.min(Math.max(0, mouse.getY() - AWAY + size.getMinY()), view.height() - size.getHeight()) - 2 * MARGIN;
+        return new BoundingBox(Math.max(0, x), y, size.getWidth() + 4 * MARGIN, size.getHeight() + 4 * MARGIN);
+    }
+
     static Bounds size(Font font, String text) {
         Text measured = new Text(text);
         measured.setFont(font);

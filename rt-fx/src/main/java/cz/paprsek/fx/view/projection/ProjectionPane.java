@@ -9,6 +9,7 @@ import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
+import cz.paprsek.fx.view.look.Layer;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.motion.OnionSkin;
 import cz.paprsek.fx.view.projection.Grips.Grip;
@@ -22,7 +23,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -30,27 +31,30 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javafx.beans.InvalidationListener;
 import javafx.beans.WeakInvalidationListener;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.value.ObservableValue;
+import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.Cursor;
-import javafx.scene.canvas.Canvas;
-import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.layout.Region;
 import javafx.scene.shape.Rectangle;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The scene seen along an axis, without perspective. What is selected, and cameras, are drawn on a canvas of its own above that of the
+ * The scene seen along an axis, without perspective. What is selected, the signs of cameras, and handles are drawn on layers of their own above that of the
  * rest, so that selecting and dragging among ten thousand objects need not draw them all anew.
  */
 public final class ProjectionPane extends Region {
-    /** All on which the lower canvas depends, besides the objects. What a gesture changes is drawn above, and apart from the rest. */
+    /** About a selection's box, so that it holds all handles, pixels. */
+    private static final double AIR = 36;
+
+    /** All on which the lowest layer depends, besides the objects. What a gesture changes is drawn above, and apart from the rest. */
     private record Look(Viewport view, Theme theme, Set<ScenePath> apart, Set<ScenePath> hidden) {}
 
     private final Edits edits;
@@ -60,8 +64,10 @@ public final class ProjectionPane extends Region {
     private final ObservableValue<Theme> theme;
     private final BooleanProperty snapping;
     private final BooleanProperty proportional;
-    private final Canvas lower = new Canvas();
-    private final Canvas upper = new Canvas();
+    private final Layer rest = new Layer("rest");
+    private final Layer selected = new Layer("selected");
+    private final Layer signs = new Layer("signs");
+    private final Layer grabbed = new Layer("grabbed");
     private final Figures figures;
     private final Picker picker;
     private final ReadOnlyObjectWrapper<Optional<Vec3>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
@@ -99,7 +105,7 @@ public final class ProjectionPane extends Region {
         setFocusTraversable(true);
         setMinSize(0, 0);
         getStyleClass().add("projection");
-        getChildren().addAll(lower, upper);
+        getChildren().addAll(rest, selected, signs, grabbed);
         Rectangle clip = new Rectangle();
         clip.widthProperty().bind(widthProperty());
         clip.heightProperty().bind(heightProperty());
@@ -315,10 +321,7 @@ public final class ProjectionPane extends Region {
         if (width <= 0 || height <= 0) {
             return;
         }
-        lower.setWidth(width);
-        lower.setHeight(height);
-        upper.setWidth(width);
-        upper.setHeight(height);
+        List.of(rest, selected, signs, grabbed).forEach(layer -> layer.setSize(width, height));
         boolean otherSize = view.width() != width || view.height() != height;
         view = view.withSize(width, height);
         figures.show(model.scene(), model.gesturingProperty().get());
@@ -331,61 +334,65 @@ public final class ProjectionPane extends Region {
         EditorState state = model.state();
         Set<ScenePath> apart = model.gesturingProperty().get() ? Set.copyOf(state.selection()) : Set.of();
         Look look = new Look(view, theme(), apart, state.hidden());
-        if (!look.equals(drawnLook) || !sameRest(state.scene(), apart)) {
-            drawRest(state, apart);
+        if (!look.equals(drawnLook) || !figures.isLike(drawn, apart)) {
+            rest.draw(new Object(), g -> {
+                Grid.draw(g, view, axes, theme().palette());
+                new Painter(g, view, axes, theme().palette()).rest(state.hidden(), apart, figures);
+            });
             drawnLook = look;
             drawn = state.scene();
         }
-        drawSelection(state);
+        draw(state);
     }
 
-    /** Whether all that is not drawn apart is what has been drawn. */
-    private boolean sameRest(Scene scene, Set<ScenePath> apart) {
-        return scene.objects().size() == drawn.objects().size() && scene.lights().size() == drawn.lights().size()
-                && Arrays.stream(scene.objectsOtherThanIn(drawn)).mapToObj(ScenePath::body).allMatch(apart::contains)
-                && IntStream.range(0, scene.lights().size()).filter(i -> !scene.lights().get(i).equals(drawn.lights().get(i)))
-                        .mapToObj(ScenePath::light).allMatch(apart::contains);
-    }
-
-    private void drawRest(EditorState state, Set<ScenePath> apart) {
-        GraphicsContext g = lower.getGraphicsContext2D();
-        Grid.draw(g, view, axes, theme().palette());
-        new Painter(g, view, axes, theme().palette()).rest(state.hidden(), apart, figures);
-    }
-
-    private void drawSelection(EditorState state) {
-        GraphicsContext g = upper.getGraphicsContext2D();
-        g.clearRect(0, 0, upper.getWidth(), upper.getHeight());
-        Painter painter = new Painter(g, view, axes, theme().palette());
-        section.ifPresent(skin -> skin.draw(g, theme().palette(), axes.along(), this::toPane));
-        section.filter(skin -> skin.isHeld() && drag == null).flatMap(skin -> skin.line(axes.along())).ifPresent(line ->
-                Plate.beside(g, view, Drag.Cutting.figures(line, view, texts.locale()), toPane(Drag.Cutting.middle(line, axes, view)), theme().palette()));
-        onion.ifPresent(skin -> {
-            skin.passing((object, isSelected) -> painter.moment(figures.passing(object), isSelected));
-            skin.ways(g, theme().palette(), this::toPane);
+    private void draw(EditorState state) {
+        Painter painter = new Painter(selected.getGraphicsContext2D(), view, axes, theme().palette());
+        selected.draw(new Object(), g -> {
+            section.ifPresent(skin -> skin.draw(g, theme().palette(), axes.along(), this::toPane));
+            section.filter(skin -> skin.isHeld() && drag == null).flatMap(skin -> skin.line(axes.along())).ifPresent(line ->
+                    Plate.beside(g, view, Drag.Cutting.figures(line, view, texts.locale()), toPane(Drag.Cutting.middle(line, axes, view)), theme().palette()));
+            onion.ifPresent(skin -> {
+                skin.passing((object, isSelected) -> painter.moment(figures.passing(object), isSelected));
+                skin.ways(g, theme().palette(), this::toPane);
+            });
+            highlighted.filter(body -> body.isIn(state.scene())).ifPresent(body -> painter.highlighted(figures.of(body)));
+            if (!state.selection().isEmpty()) {
+                painter.selected(state, figures);
+            }
         });
-        highlighted.filter(body -> body.isIn(state.scene())).ifPresent(body -> painter.highlighted(figures.of(body)));
-        if (!state.selection().isEmpty()) {
-            painter.selected(state, figures);
-        }
-        Grid.numbers(g, view, axes, theme().palette(), texts.locale());
-        Grid.names(g, view, axes, theme().palette());
-        painter.avoid(state, handleBox(), grips());
-        Box selected = figures.box(state.selection());
-        boolean isNamed = !selected.isEmpty() && view.shows(selected);
+        Box handles = handleBox();
+        List<Grip> grips = grips();
+        Box box = figures.box(state.selection());
+        painter.avoid(state, handles, grips);
+        Painter above = painter.on(grabbed.getGraphicsContext2D());
         // Before the names of cameras, which may be many.
-        Runnable name = isNamed ? painter.name(PathNames.of(state.scene(), state.selection(), texts), selected) : () -> {};
-        painter.cameras(state, texts);
-        if (!state.selection().isEmpty()) {
-            painter.handles(handleBox(), true);
-            name.run();
-            painter.grips(grips());
-        }
-        rays.ifPresent(RayPainter.on(g, theme(), (from, to) -> List.of(segment(from, to)))::draw);
+        Runnable name = !box.isEmpty() && view.shows(box) ? above.name(PathNames.of(state.scene(), state.selection(), texts), box) : () -> {};
+        List<CameraSketch> cameras = IntStream.range(0, state.scene().cameras().size()).mapToObj(i -> CameraSketch.of(state.scene(), i)).toList();
+        signs.draw(List.of(view, theme(), state.hidden(), state.eye(), cameras, Places.cameras(state.selection()), cameras.size() > 1 ? List.of(above.taken(), state.scene().cameras()) : 1), g -> {
+            Grid.numbers(g, view, axes, theme().palette(), texts.locale());
+            above.on(g).cameras(state, cameras, texts);
+        });
+        grabbed.draw(new Object(), g -> {
+            if (!state.selection().isEmpty()) {
+                above.handles(handles, true);
+                name.run();
+                above.grips(grips);
+            }
+            rays.ifPresent(RayPainter.on(g, theme(), (from, to) -> List.of(segment(from, to)))::draw);
+            if (drag != null) {
+                drag.draw(g);
+                Plate.beside(g, view, drag.figures(texts.locale()), mouse, theme().palette());
+            }
+        });
+        List<Bounds> parts = new ArrayList<>(above.taken().subList(painter.taken().size(), above.taken().size()));
+        Stream.concat(Stream.of(box, handles), grips.stream().map(grip -> Box.EMPTY.with(axes.u(grip.place()), axes.v(grip.place()))))
+                .filter(known -> !known.isEmpty()).forEach(known -> parts.add(view.of(known, AIR)));
         if (drag != null) {
-            drag.draw(g);
-            Plate.beside(g, view, drag.figures(texts.locale()), mouse, theme().palette());
+            parts.add(Plate.besides(view, drag.figures(texts.locale()), mouse));
         }
+        boolean isAnywhere = highlighted.isPresent() || rays.isPresent() || section.filter(SectionSkin::isSeen).isPresent() || onion.filter(OnionSkin::isSeen).isPresent()
+                || (drag != null && drag.isWide()) || !figures.areWithinBoxes(state.selection());
+        List.of(selected, grabbed).forEach(layer -> layer.showOnly(isAnywhere ? getLayoutBounds() : view.around(parts)));
     }
 
     private Segment segment(Vec3 from, Vec3 to) {

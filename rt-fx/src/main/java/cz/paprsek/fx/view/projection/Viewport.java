@@ -2,7 +2,10 @@ package cz.paprsek.fx.view.projection;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.util.List;
 import java.util.Locale;
+import javafx.geometry.BoundingBox;
+import javafx.geometry.Bounds;
 
 /**
  * Which part of a projection's plane is shown how large.
@@ -60,6 +63,20 @@ record Viewport(double centreU, double centreV, double scale, double width, doub
         double fit = Math.min(air * width / box.width(), air * height / box.height());
         double fresh = Double.isFinite(fit) ? Math.max(LEAST_SCALE, Math.min(LARGEST_SCALE, fit)) : scale;
         return new Viewport(box.centreU(), box.centreV(), fresh, width, height);
+    }
+
+    /** Where a box is on the pane, pixels, with some air around. */
+    Bounds of(Box box, double air) {
+        return new BoundingBox(x(box.minU()) - air, y(box.maxV()) - air, x(box.maxU()) - x(box.minU()) + 2 * air, y(box.minV()) - y(box.maxV()) + 2 * air);
+    }
+
+    /** A rectangle around some, as far as it is on the pane. */
+    Bounds around(List<Bounds> parts) {
+        double left = parts.stream().mapToDouble(Bounds::getMinX).min().orElse(0);
+        double top = parts.stream().mapToDouble(Bounds::getMinY).min().orElse(0);
+        double right = parts.stream().mapToDouble(Bounds::getMaxX).max().orElse(0);
+        double bottom = parts.stream().mapToDouble(Bounds::getMaxY).max().orElse(0);
+        return new BoundingBox(Math.max(0, left), Math.max(0, top), Math.min(width, right) - Math.max(0, left), Math.min(height, bottom) - Math.max(0, top));
     }
 
     /** Whether a box is in sight at all. */

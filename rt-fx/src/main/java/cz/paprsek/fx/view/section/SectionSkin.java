@@ -85,6 +85,11 @@ public final class SectionSkin {
                 : knownPlane.map(CutPlane::axis).filter(axis -> axis.of(along) == 0).map(axis -> new Line(axis, place.getAsDouble()));
     }
 
+    /** Whether there is a plane. */
+    public boolean isSeen() {
+        return plane.get().isPresent();
+    }
+
     /** Whether a hand holds the plane. */
     public boolean isHeld() {
         return start.get().isPresent();

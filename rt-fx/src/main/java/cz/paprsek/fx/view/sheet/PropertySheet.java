@@ -75,6 +75,8 @@ public final class PropertySheet extends BorderPane {
         heading.setMaxWidth(Double.MAX_VALUE);
         ScrollPane scroll = new ScrollPane(content);
         scroll.setFitToWidth(true);
+        // JavaFX keeps what is scrolled as a picture, and would make all of it anew for each digit that changes while something is dragged.
+        scroll.skinProperty().addListener((property, old, now) -> scroll.lookup(".viewport").setCache(false));
         scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
         setTop(heading);
         setCenter(scroll);

@@ -1,0 +1,62 @@
+package cz.paprsek.fx.view.look;
+
+import java.util.function.Consumer;
+import javafx.geometry.Bounds;
+import javafx.scene.canvas.Canvas;
+import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.shape.Rectangle;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One of several canvases above each other, which is drawn anew only when it is to show something else. Where little of it changes from one frame to the next, that part
+ * alone is shown, since JavaFX paints anew, with all that lies below, whatever a canvas covers.
+ */
+public final class Layer extends Canvas {
+    private final Rectangle part = new Rectangle();
+    private @Nullable Object shown;
+    private int drawings;
+
+    /** @param name for style sheets and tests */
+    public Layer(String name) {
+        getStyleClass().add(name);
+    }
+
+    public void setSize(double width, double height) {
+        setWidth(width);
+        setHeight(height);
+    }
+
+    /**
+     * Draws, on nothing, unless the layer shows the same already.
+     *
+     * @param what all that the drawing depends on
+     */
+    public void draw(Object what, Consumer<GraphicsContext> painter) {
+        if (!what.equals(shown)) {
+            shown = what;
+            drawings++;
+            GraphicsContext g = getGraphicsContext2D();
+            // Nothing has been drawn elsewhere; to clear all takes JavaFX as long as to paint it.
+            if (getClip() == null) {
+                g.clearRect(0, 0, getWidth(), getHeight());
+            } else {
+                g.clearRect(part.getX(), part.getY(), part.getWidth(), part.getHeight());
+            }
+            painter.accept(g);
+        }
+    }
+
+    /** Shows what lies within bounds, pixels, and what was shown before no more. All that has been drawn lies there. */
+    public void showOnly(Bounds bounds) {
+        part.setX(Math.floor(bounds.getMinX()));
+        part.setY(Math.floor(bounds.getMinY()));
+        part.setWidth(Math.max(0, Math.ceil(bounds.getMaxX()) - part.getX()));
+        part.setHeight(Math.max(0, Math.ceil(bounds.getMaxY()) - part.getY()));
+        setClip(part);
+    }
+
+    /** How often it has been drawn. */
+    public int drawings() {
+        return drawings;
+    }
+}

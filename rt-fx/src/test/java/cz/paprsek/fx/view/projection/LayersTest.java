@@ -1,0 +1,97 @@
+package cz.paprsek.fx.view.projection;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.Gui;
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Gesture;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.fx.view.look.Layer;
+import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.shape.Sphere;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.scene.image.WritableImage;
+import org.junit.jupiter.api.Test;
+
+/** What is drawn, and painted, anew while one ball of a thousand is dragged in a pane of 400 × 300, seen from the front. */
+class LayersTest {
+    private static final int STEPS = 10;
+    private static final List<String> NAMES = List.of("rest", "selected", "signs", "grabbed");
+
+    private final EditorModel model = new EditorModel(Scene.EMPTY.withObjects(IntStream.range(0, 1000)
+            .mapToObj(i -> SceneObject.of(new Sphere(0.3)).at(i % 10, i / 10 % 10, -i / 100)).toList()));
+    private final ProjectionPane pane = Gui.on(() -> new ProjectionPane(new Edits(model, Texts.in(Locale.ENGLISH)), Axes.FRONT, new SimpleObjectProperty<>(Theme.LIGHT),
+            new SimpleBooleanProperty(true), new SimpleBooleanProperty(true)));
+
+    @Test
+    void whatStaysIsDrawnOnceAndWhatMovesCoversLittle() {
+        try (Gui gui = Gui.show(() -> pane, 400, 300)) {
+            gui.act(() -> model.select(ScenePath.body(444)));
+            Gesture drag = Gui.on(() -> model.begin(Label.of(Label.Edit.MOVE)));
+            gui.pulse();
+            Map<String, Integer> before = ofAll(Layer::drawings);
+            for (int i = 1; i <= STEPS; i++) {
+                move(gui, drag, 0.01 * i);
+            }
+            Map<String, Integer> drawn = ofAll(Layer::drawings);
+            assertThat(NAMES).extracting(name -> drawn.get(name) - before.get(name)).containsExactly(0, STEPS, 0, STEPS);
+            Map<String, Double> areas = ofAll(layer -> layer.getBoundsInParent().getWidth() * layer.getBoundsInParent().getHeight());
+            assertThat(areas.get("selected")).isBetween(1000.0, 400 * 300 / 6.0);
+            assertThat(areas.get("grabbed")).isEqualTo(areas.get("selected"));
+        }
+    }
+
+    @Test
+    void aDragLeavesThePictureOfWhatIsOpenedThere() {
+        try (Gui gui = Gui.show(() -> pane, 400, 300)) {
+            gui.act(() -> model.select(ScenePath.body(444)));
+            Gesture drag = Gui.on(() -> model.begin(Label.of(Label.Edit.MOVE)));
+            gui.pulse();
+            for (int i = 1; i <= STEPS; i++) {
+                move(gui, drag, 0.37 * i);
+            }
+            int[] dragged = pixels(gui);
+            gui.act(() -> pane.zoom(2));
+            gui.act(() -> pane.zoom(0.5));
+            assertThat(differing(dragged, pixels(gui))).as("pixels that are otherwise when all is drawn anew").isZero();
+            gui.act(drag::cancel);
+            int[] cancelled = pixels(gui);
+            gui.act(() -> model.select());
+            gui.act(() -> model.select(ScenePath.body(444)));
+            assertThat(differing(cancelled, pixels(gui))).as("pixels that are otherwise after the drag has been given up").isZero();
+        }
+    }
+
+    private void move(Gui gui, Gesture drag, double by) {
+        gui.act(() -> drag.preview(scene -> Moves.translated(scene, model.selection(), new Vec3(by, by / 2, 0))));
+    }
+
+    private <T> Map<String, T> ofAll(Function<Layer, T> what) {
+        return Gui.on(() -> Stream.of("rest", "selected", "signs", "grabbed").collect(Collectors.toMap(name -> name, name -> what.apply((Layer) pane.lookup("." + name)))));
+    }
+
+    private int[] pixels(Gui gui) {
+        gui.pulse();
+        WritableImage seen = Gui.on(() -> pane.snapshot(null, null));
+        return IntStream.range(0, 400 * 300).map(i -> seen.getPixelReader().getArgb(i % 400, i / 400)).toArray();
+    }
+
+    private static long differing(int[] one, int[] other) {
+        return IntStream.range(0, one.length).filter(i -> one[i] != other[i]).count();
+    }
+}
