@@ -90,12 +90,12 @@ final class MeshPart implements Part {
         boolean alongY = !alongX && Math.abs(y) >= Math.abs(z);
         int i = alongX ? 1 : 0;
         int j = alongX || alongY ? 2 : 1;
-        double ux = at[b + i] - at[a + i];
-        double uy = at[b + j] - at[a + j];
-        double vx = at[c + i] - at[a + i];
-        double vy = at[c + j] - at[a + j];
-        double dx = (alongX ? py : px) - at[a + i];
-        double dy = (alongX || alongY ? pz : py) - at[a + j];
+        return shares(at[b + i] - at[a + i], at[b + j] - at[a + j], at[c + i] - at[a + i], at[c + j] - at[a + j],
+                (alongX ? py : px) - at[a + i], (alongX || alongY ? pz : py) - at[a + j]);
+    }
+
+    /** By the ways from the first corner to the others and to the point: a method of its own, so that Java puts both into those that call them and makes no object. */
+    private static Vec3 shares(double ux, double uy, double vx, double vy, double dx, double dy) {
         double whole = ux * vy - uy * vx;
         double ofB = Math.min(1, Math.max(0, (dx * vy - dy * vx) / whole));
         double ofC = Math.min(1 - ofB, Math.max(0, (ux * dy - uy * dx) / whole));
