@@ -14,11 +14,14 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** How pictures are written: bits, exposure, tone, and what they tell of themselves. */
 class PictureOptionsTest {
@@ -42,6 +45,17 @@ class PictureOptionsTest {
         ImageFiles.write(expected, plain);
         assertThat(Run.cli("compare", picture, plain, "--tolerance", "0").code()).isZero();
         assertThat(Files.readString(picture, StandardCharsets.ISO_8859_1)).contains("--size 16x8 --samples 1 --max-depth 5", "Paprsek ");
+    }
+
+    /** One that is compressed beside the rays, and one that is not: as long as there are several stripes. */
+    @ParameterizedTest
+    @ValueSource(strings = {"--bits 8", "--bits 16", "--transparent", "--region 5,7,600,500", "--mode rays", "--exposure 1"})
+    void aFileHasTheBytesThatGoToStandardOutput(String words) throws IOException {
+        Function<Object, Run> render = output -> Run.cli(Stream.concat(Stream.of("render", scene, "--size", "700x603", "--format", "png", "--quiet", "-o", output), Stream.of(words.split(" "))).toArray());
+        Run run = render.apply("-");
+        assertThat(run.err()).isEmpty();
+        assertThat(render.apply(folder.resolve("a.png")).code()).isZero();
+        assertThat(Files.readAllBytes(folder.resolve("a.png"))).isEqualTo(run.bytes());
     }
 
     @Test

@@ -5,6 +5,7 @@ import cz.paprsek.image.StoredImage.Precision;
 import cz.paprsek.image.png.PngHead;
 import cz.paprsek.image.png.PngReader;
 import cz.paprsek.image.png.PngWriter;
+import cz.paprsek.image.png.Stripes;
 import cz.paprsek.io.BinaryInput;
 import cz.paprsek.material.Rgb;
 import java.io.IOException;
@@ -22,8 +23,15 @@ final class Png {
 
     /** @param bits 8 or 16 per channel */
     static void write(Image image, int bits, Origin origin, OutputStream out) throws IOException {
+        try (Stripes stripes = stripes(image, bits)) {
+            PngWriter.write(origin.texts(), stripes, out);
+        }
+    }
+
+    /** Its pixels as they are to be written. */
+    static Stripes stripes(Image image, int bits) {
         PngWriter.Rows rows = image.isTransparent() ? new Transparent(image, bits) : bits == 8 ? new Rows8(image) : new Rows16(image);
-        PngWriter.write(new PngHead(image.width(), image.height(), bits, image.isTransparent() ? RGBA : RGB), origin.texts(), rows, out);
+        return new Stripes(new PngHead(image.width(), image.height(), bits, image.isTransparent() ? RGBA : RGB), rows);
     }
 
     /** @param isOpaque whether opacity is passed over, and the light of a pixel is that of the part it covers */

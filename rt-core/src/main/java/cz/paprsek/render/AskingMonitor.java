@@ -18,6 +18,11 @@ record AskingMonitor(RenderMonitor own, BooleanSupplier also) implements RenderM
     }
 
     @Override
+    public boolean wantsRows() {
+        return own.wantsRows();
+    }
+
+    @Override
     public void traced(long rays) {
         own.traced(rays);
     }

@@ -87,7 +87,7 @@ final class RenderJob implements Workers.Work {
         tiles = columns * ((region.height() + SIDE - 1) / SIDE);
         isJudged = options.isInPasses() && options.settings().isAdaptive();
         tilesOfAllPasses = isJudged ? tiles : (int) Math.min(Integer.MAX_VALUE, (long) tiles * options.passes());
-        stride = stride(tiles);
+        stride = monitor.wantsRows() ? 1 : stride(tiles);
     }
 
     int tiles() {

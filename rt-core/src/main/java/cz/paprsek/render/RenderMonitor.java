@@ -21,6 +21,14 @@ public interface RenderMonitor {
      */
     default void traced(long rays) {}
 
+    /**
+     * Whether tiles are taken row by row from the top, for who does something with complete rows, rather than evenly all over the picture, which tells how long the rest takes.
+     * Asked once, before any is begun.
+     */
+    default boolean wantsRows() {
+        return false;
+    }
+
     /** A tile of the picture is complete without having been traced: a {@link TileStore} had it. Else as {@link #finished}, which it is unless told otherwise. */
     default void found(Tile tile, Image image, int done, int total) {
         finished(tile, image, done, total);

@@ -51,6 +51,34 @@ class PngTest {
         return image;
     }
 
+    /** In stripes of 249 rows, whatever the order in which its pixels are finished. */
+    @ParameterizedTest
+    @ValueSource(ints = {8, 16})
+    void aPictureCompressedWhileItIsMadeHasTheSameBytes(int bits, @TempDir Path folder) throws IOException {
+        Image image = mixture(700, 603);
+        Image made = new Image(700, 603);
+        ImageOptions options = ImageOptions.DEFAULT.withBits(bits).withOrigin(new Origin("mixture", "", "", ""));
+        try (GrowingPng png = new GrowingPng(made, bits)) {
+            for (int y = 0; y < 603; y += 201) {
+                for (int x : new int[] {350, 0}) {
+                    for (int i = 0; i < 350 * 201; i++) {
+                        int column = x + i % 350;
+                        int row = y + i / 350;
+                        made.set(column, row, image.red(column, row), image.green(column, row), image.blue(column, row));
+                    }
+                    png.finished(y, 350, 201);
+                }
+            }
+            assertThat(png.isOf(made, options)).isTrue();
+            assertThat(png.isOf(image, options)).isFalse();
+            assertThat(png.isOf(made, options.withExposure(1))).isFalse();
+            assertThat(png.isOf(made, options.withBits(24 - bits))).isFalse();
+            png.write(folder.resolve("grown.png"), options);
+        }
+        ImageFiles.write(image, folder.resolve("written.png"), options);
+        assertThat(folder.resolve("grown.png")).hasSameBinaryContentAs(folder.resolve("written.png"));
+    }
+
     @ParameterizedTest
     @CsvSource({"1, 1", "1, 300", "7, 5", "700, 603", "2000, 1"})
     void thePlatformReadsWhatWeWrite(int width, int height) throws IOException {

@@ -36,6 +36,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
@@ -58,6 +59,25 @@ class RendererTest {
         Image one = Renderer.render(scene, RenderOptions.of(SCENE).withThreads(1), RenderMonitor.NONE).image();
         Image many = Renderer.render(scene, RenderOptions.of(SCENE).withThreads(threads), RenderMonitor.NONE).image();
         assertThat(Scenes.difference(one, many, 0)).isZero();
+    }
+
+    @Test
+    void rowsAreFinishedFromTheTopIfThatIsWanted() {
+        List<Tile> order = new ArrayList<>();
+        RenderMonitor monitor = new RenderMonitor() {
+            @Override
+            public boolean wantsRows() {
+                return true;
+            }
+
+            @Override
+            public void finished(Tile tile, Image image, int done, int total) {
+                order.add(tile);
+            }
+        };
+        Image rows = Renderer.render(RenderScene.of(SCENE), RenderOptions.of(SCENE).withThreads(1), monitor).image();
+        assertThat(order).hasSizeGreaterThan(9).isSortedAccordingTo(Comparator.comparingInt(Tile::y).thenComparingInt(Tile::x));
+        assertThat(Scenes.difference(rows, Renderer.render(SCENE), 0)).isZero();
     }
 
     @ParameterizedTest

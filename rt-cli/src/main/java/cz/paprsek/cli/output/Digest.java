@@ -10,21 +10,23 @@ import java.util.concurrent.FutureTask;
 final class Digest {
     private final Scene scene;
     private final FutureTask<String> text;
+    private boolean isBegun;
 
-    Digest(Scene scene) {
+    /** @param format of the picture, which may tell no digest */
+    Digest(Scene scene, ImageFormat format) {
         this.scene = scene;
         text = new FutureTask<>(() -> Origins.digest(scene));
+        isBegun = !Origins.areToldIn(format);
     }
 
-    /** One that is made from now on, by a thread of its own, if pictures of a format tell it. */
-    static Digest begun(Scene scene, ImageFormat format) {
-        Digest digest = new Digest(scene);
-        if (Origins.areToldIn(format)) {
-            Thread thread = new Thread(digest.text, "paprsek-digest");
+    /** Has it made from now on, by a thread of its own, if pictures of the format tell it; once. */
+    synchronized void begin() {
+        if (!isBegun) {
+            isBegun = true;
+            Thread thread = new Thread(text, "paprsek-digest");
             thread.setDaemon(true);
             thread.start();
         }
-        return digest;
     }
 
     /** As {@link Origins#digest} says it; waited for, or made now if nobody has begun. */

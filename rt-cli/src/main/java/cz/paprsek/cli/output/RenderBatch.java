@@ -15,6 +15,7 @@ import cz.paprsek.cli.shard.Footage;
 import cz.paprsek.cli.shard.Order;
 import cz.paprsek.cli.shard.Sharing;
 import cz.paprsek.cli.shard.Span;
+import cz.paprsek.image.GrowingPng;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
@@ -105,6 +106,11 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         public void write(Target target, Image image, Layers layers, ImageOptions how) throws IOException {
             target.write(view.written(target.format()), image, layers, how, terminal);
         }
+
+        @Override
+        public boolean isAlone() {
+            return true;
+        }
     }
 
     Outcome render(Target target, Scene read, Scene scene, Assets assets, Way way) {
@@ -141,21 +147,21 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
             if (options.isInPasses() && progress != Progress.Maker.SILENT) {
                 SceneWarnings.ofPaths(scene.withSettings(options.settings())).forEach(warning -> terminal.message(target.source().label() + ": note: " + warning.message()));
             }
-            try (Tiles tiles = resume ? Tiles.kept(target, way, scene, assets, options, terminal, progress == Progress.Maker.SILENT) : Tiles.NOT_KEPT) {
+            try (Tiles tiles = resume ? Tiles.kept(target, way, scene, assets, options, terminal, progress == Progress.Maker.SILENT) : Tiles.NOT_KEPT;
+                    Beside beside = Beside.of(new Digest(read, target.format()), target, options, way.isAlone() ? Optional.of(writing.options()) : Optional.empty())) {
                 if (options.isInPasses()) {
                     // A picture is kept, and how good it is must be said.
                     stop.oweLastWords();
                 }
-                Digest digest = Digest.begun(read, target.format());
-                WholePasses passes = new WholePasses(seconds, (image, layers, count) -> isWritten(target, read, digest, image, layers, ofPasses(options, count), way),
+                WholePasses passes = new WholePasses(seconds, (image, layers, count) -> isWritten(target, read, beside, image, layers, ofPasses(options, count), way),
                         hindered -> terminal.message(target.source().label() + ": note: the picture so far could not be written, rendering goes on: "
                                 + Failures.sentence(target.shown(), hindered)));
-                RenderResult result = rendered(target, scene, assets, options, tiles, passes, way);
+                RenderResult result = rendered(target, scene, assets, options, tiles, passes, beside, way);
                 if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
                     return interrupted(target, passes);
                 }
                 Image image = view.finished(result.image(), target.format());
-                write(target, read, digest, image, result.layers(), passes.passesInTime().map(count -> ofPasses(options, count)).orElse(options), way);
+                write(target, read, beside, image, result.layers(), passes.passesInTime().map(count -> ofPasses(options, count)).orElse(options), way);
                 if (!way.keepsTiles()) {
                     tiles.discard();
                 }
@@ -238,26 +244,33 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
     }
 
     /** Writes the picture of the passes so far, if it goes to a file. */
-    private boolean isWritten(Target target, Scene read, Digest digest, Image image, Layers layers, RenderOptions options, Way way) throws IOException {
+    private boolean isWritten(Target target, Scene read, Beside beside, Image image, Layers layers, RenderOptions options, Way way) throws IOException {
         if (target.file().isEmpty() || way.keepsTiles()) {
             return false;
         }
-        write(target, read, digest, view.finished(image, target.format()), layers, options, way);
+        write(target, read, beside, view.finished(image, target.format()), layers, options, way);
         return true;
     }
 
-    private void write(Target target, Scene read, Digest digest, Image image, Layers layers, RenderOptions options, Way way) throws IOException {
-        ImageOptions how = view.written(target.format(), writing.of(read, digest, options, view, target.format()));
-        stop.guard(() -> way.write(target, image, layers, how));
+    private void write(Target target, Scene read, Beside beside, Image image, Layers layers, RenderOptions options, Way way) throws IOException {
+        ImageOptions how = view.written(target.format(), writing.of(read, beside.digest(), options, view, target.format()));
+        Optional<GrowingPng> compressed = beside.png(image, how);
+        stop.guard(() -> {
+            if (compressed.isPresent()) {
+                compressed.get().write(target.file().orElseThrow(), how);
+            } else {
+                way.write(target, image, layers, how);
+            }
+        });
     }
 
-    private RenderResult rendered(Target target, Scene scene, Assets assets, RenderOptions options, Tiles tiles, WholePasses passes, Way way) {
+    private RenderResult rendered(Target target, Scene scene, Assets assets, RenderOptions options, Tiles tiles, WholePasses passes, Beside beside, Way way) {
         if (!view.mistakes().equals(Mistakes.NONE)) {
             return wrong(target, scene, options);
         }
         try (Progress monitor = progress.start(target.source().label(), options, stop)) {
             monitor.whenPassed(passes);
-            return way.render(scene, assets, options, monitor, tiles.store());
+            return way.render(scene, assets, options, beside.telling(monitor), tiles.store());
         }
     }
 

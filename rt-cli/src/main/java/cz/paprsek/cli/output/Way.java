@@ -28,6 +28,11 @@ interface Way {
         return shown;
     }
 
+    /** Whether the picture is all that goes to the target's file. */
+    default boolean isAlone() {
+        return false;
+    }
+
     /** Whether tiles of another picture, which are found there, are of no use to anybody. */
     default boolean beginsAnew() {
         return false;

@@ -33,7 +33,7 @@ public record Writing(Optional<Integer> bits, boolean uncompressed) {
 
     /** @param scene as it was read, whatever of it is shown */
     ImageOptions of(Scene scene, RenderOptions render, View view, ImageFormat format) {
-        return of(scene, new Digest(scene), render, view, format);
+        return of(scene, new Digest(scene, format), render, view, format);
     }
 
     /** @param digest of the scene */

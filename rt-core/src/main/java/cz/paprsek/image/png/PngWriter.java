@@ -1,18 +1,10 @@
 package cz.paprsek.image.png;
 
 import java.io.IOException;
-import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.Map;
-import java.util.Optional;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import java.util.zip.CRC32;
 
 /**
@@ -23,8 +15,6 @@ import java.util.zip.CRC32;
  */
 public final class PngWriter {
     static final int LEVEL = 5;
-    /** Larger ones compress better, smaller ones keep more processors at work. */
-    private static final int STRIPE_BYTES = 1 << 19;
     /** Deflate with a window of 32 KiB, at a quick level. */
     private static final byte[] STREAM_HEAD = {0x78, 0x5E};
     private static final byte[] PERCEPTUAL = {0};
@@ -55,10 +45,10 @@ public final class PngWriter {
      *
      * @param texts by keywords, as Title, of 1 to 79 letters
      */
-    public static void write(PngHead head, Map<String, String> texts, Rows rows, OutputStream out) throws IOException {
-        PngWriter writer = new PngWriter(head, out);
+    public static void write(Map<String, String> texts, Stripes stripes, OutputStream out) throws IOException {
+        PngWriter writer = new PngWriter(stripes.head(), out);
         writer.start(texts);
-        writer.pixels(rows, writer::data);
+        pixels(stripes, writer::data);
         writer.chunk("IEND", new byte[0]);
     }
 
@@ -90,37 +80,20 @@ public final class PngWriter {
     }
 
     void pixels(Rows rows, Data data) throws IOException {
-        int height = Math.max(1, STRIPE_BYTES / head.rowBytes(head.width()));
-        int count = (head.height() + height - 1) / height;
-        int threads = Math.min(count, Runtime.getRuntime().availableProcessors());
-        data.take(STREAM_HEAD, STREAM_HEAD.length);
-        int checksum = 1;
-        Optional<ExecutorService> pool = threads > 1 ? Optional.of(Executors.newFixedThreadPool(threads)) : Optional.empty();
-        Deque<Future<Stripe>> underWay = new ArrayDeque<>();
-        try {
-            int next = 0;
-            for (int i = 0; i < count; i++) {
-                // A few ahead: all at once might be more than the memory holds.
-                while (pool.isPresent() && next < count && underWay.size() < 2 * threads) {
-                    underWay.add(pool.get().submit(stripe(rows, next++, height)));
-                }
-                Stripe stripe = pool.isEmpty() ? stripe(rows, i, height).call() : underWay.remove().get();
-                checksum = stripe.checksumAfter(checksum);
-                data.take(stripe.compressed(), stripe.size());
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new InterruptedIOException("interrupted");
-        } catch (ExecutionException e) {
-            throw new IllegalStateException(e.getCause());
-        } finally {
-            pool.ifPresent(ExecutorService::shutdownNow);
+        try (Stripes stripes = new Stripes(head, rows)) {
+            pixels(stripes, data);
         }
-        data.take(ByteBuffer.allocate(Integer.BYTES).putInt(checksum).array(), Integer.BYTES);
     }
 
-    private Stripe stripe(Rows rows, int number, int height) {
-        return new Stripe(head, rows, number * height, Math.min(head.height(), (number + 1) * height));
+    private static void pixels(Stripes stripes, Data data) throws IOException {
+        data.take(STREAM_HEAD, STREAM_HEAD.length);
+        int checksum = 1;
+        while (stripes.hasNext()) {
+            Stripe stripe = stripes.next();
+            checksum = stripe.checksumAfter(checksum);
+            data.take(stripe.compressed(), stripe.size());
+        }
+        data.take(ByteBuffer.allocate(Integer.BYTES).putInt(checksum).array(), Integer.BYTES);
     }
 
     void chunk(String type, byte[] content) throws IOException {
