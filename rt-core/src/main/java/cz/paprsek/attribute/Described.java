@@ -59,6 +59,8 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
     public Described {
         within = List.copyOf(within);
         components = List.copyOf(components);
+        // Who may call is not looked up for each value then.
+        components.forEach(component -> component.getAccessor().trySetAccessible());
     }
 
     /** Those of a record, in the order of its components, which is that of files. */

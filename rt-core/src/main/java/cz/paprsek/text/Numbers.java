@@ -7,6 +7,9 @@ import java.util.OptionalDouble;
 
 /** Numbers as text, in the shortest form that reads back as exactly the same number, and such texts as numbers. */
 public final class Numbers {
+    private static final double[] POWERS = {
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
     private Numbers() {}
 
     /** The shortest decimal that parses to the same double: {@code 2}, {@code 0.1}, {@code 1e-7}; the same on every JDK. */
@@ -63,13 +66,12 @@ public final class Numbers {
             digits = c >= '0' && c <= '9' ? digits * 10 + c - '0' : digits;
         }
         int decimals = text.length() - text.indexOf('.') - 2;
-        double power = 1;
-        for (int i = 0; i < decimals; i++) {
-            power *= 10;
-        }
         long shorter = digits / 10;
         // Whole numbers up to 2^53 and powers up to 10^22 are exact, so that their quotient is the nearest to the text's meaning.
-        boolean isHard = text.indexOf('E') >= 0 || shorter >= 1L << 53 || decimals > 22;
-        return isHard || shorter / power == value || (shorter + 1) / power == value;
+        if (text.indexOf('E') >= 0 || shorter >= 1L << 53 || decimals >= POWERS.length) {
+            return true;
+        }
+        double power = POWERS[decimals];
+        return shorter / power == value || (shorter + 1) / power == value;
     }
 }

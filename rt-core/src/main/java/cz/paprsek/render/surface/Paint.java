@@ -11,7 +11,6 @@ import cz.paprsek.render.texture.Textures;
 import cz.paprsek.text.Numbers;
 import java.util.List;
 import java.util.Objects;
-import java.util.stream.DoubleStream;
 
 /** A pattern ready to be asked for its colour at a point. */
 public abstract class Paint {
@@ -97,8 +96,14 @@ public abstract class Paint {
 
     /** The channels of colours, one after the other. */
     static double[] channels(List<Rgb> colors, boolean isLight) {
-        return colors.stream().flatMapToDouble(color -> isLight ? DoubleStream.of(color.linearRed(), color.linearGreen(), color.linearBlue())
-                : DoubleStream.of(color.red() / 255, color.green() / 255, color.blue() / 255)).toArray();
+        double[] channels = new double[3 * colors.size()];
+        for (int i = 0; i < colors.size(); i++) {
+            Rgb color = colors.get(i);
+            channels[3 * i] = isLight ? color.linearRed() : color.red() / 255;
+            channels[3 * i + 1] = isLight ? color.linearGreen() : color.green() / 255;
+            channels[3 * i + 2] = isLight ? color.linearBlue() : color.blue() / 255;
+        }
+        return channels;
     }
 
     static double luminance(double[] channels, int at) {

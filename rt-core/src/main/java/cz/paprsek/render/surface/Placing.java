@@ -31,6 +31,9 @@ import org.jspecify.annotations.Nullable;
 
 /** Objects on their way into the world, one after the other: each of their primitives gets a number, a finish and a place in the table of parts. */
 final class Placing {
+    /** So many materials without a name are looked for among those that come: where each body has its own, to keep all takes longer than to make them. */
+    private static final int MANY = 4096;
+
     private final Map<String, Material> materials;
     private final Textures textures;
     private final BooleanSupplier stop;
@@ -202,10 +205,15 @@ final class Placing {
     /** Neighbours are mostly of one material: that saves hashing it. */
     private Finish shared(Material material) {
         if (!material.equals(lastMaterial)) {
-            lastFinish = shared.computeIfAbsent(material, this::anywhere);
+            lastFinish = shared.size() < MANY ? shared.computeIfAbsent(material, this::anywhere) : recurring(material);
             lastMaterial = material;
         }
         return lastFinish;
+    }
+
+    private Finish recurring(Material material) {
+        Finish known = shared.get(material);
+        return known == null ? anywhere(material) : known;
     }
 
     private int add(int object, Finish finish) {

@@ -1,8 +1,10 @@
 package cz.paprsek.xml.quick;
 
 import cz.paprsek.xml.format.SceneFormat;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.SequenceInputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
@@ -20,16 +22,15 @@ final class Markup {
     private static final int LONGEST_KEPT = 1 << 12;
     private static final String DECLARATION = "<\\?xml version=(['\"])1\\.0\\1( encoding=(['\"])[uU][tT][fF]-8\\3)?( standalone=(['\"])(yes|no)\\5)?\\s*\\?>";
 
-    private final InputStream input;
+    private InputStream input;
     private final DecimalReader decimals = new DecimalReader();
-    private final byte[] buffer = new byte[BUFFER + 1];
+    private final byte[] buffer;
     private int at;
     /** Where the buffer's content ends; there stands a 0, which XML does not have, so that no loop need look for the end. */
     private int end;
     private boolean isAllRead;
     /** How much of the file is before the buffer. */
     private long dropped;
-    private byte[] kept = {};
     private int nameFrom;
     private int nameTo;
     private int valueFrom;
@@ -38,9 +39,18 @@ final class Markup {
     private boolean isPlain;
     private boolean isEmpty;
 
+    /** Of a piece of a file. */
+    Markup(byte[] piece) {
+        input = InputStream.nullInputStream();
+        buffer = Arrays.copyOf(piece, piece.length + 1);
+        end = piece.length;
+        isAllRead = true;
+    }
+
     /** Begins to read after the mark of UTF-8 and the XML declaration, if there are any. */
     Markup(InputStream input) throws IOException {
         this.input = input;
+        buffer = new byte[BUFFER + 1];
         fill();
         at = buffer[0] == (byte) 0xEF && buffer[1] == (byte) 0xBB && buffer[2] == (byte) 0xBF ? 3 : 0;
         if (startsWith("<?xml ")) {
@@ -78,18 +88,39 @@ final class Markup {
         return dropped + at;
     }
 
-    /** Keeps what was read from a place on, if that is not long and still at hand. */
-    void keep(long place) {
+    /** What was read from a place on; nothing if that is long, or not at hand any more. */
+    byte[] since(long place) {
         long from = place - dropped;
-        kept = from >= 0 && at - from <= LONGEST_KEPT ? Arrays.copyOfRange(buffer, (int) from, at) : new byte[0];
+        return from >= 0 && at - from <= LONGEST_KEPT ? Arrays.copyOfRange(buffer, (int) from, at) : new byte[0];
     }
 
-    /** Moves behind what comes next, if that is what was kept; whether it is. */
-    boolean isKeptOnceMore() {
+    /** Moves behind what comes next, if that is what was {@linkplain #since read} once; whether it is. */
+    boolean isOnceMore(byte[] kept) {
         int behind = at + kept.length;
         boolean isKept = kept.length > 0 && behind <= end && Arrays.equals(buffer, at, behind, kept, 0, kept.length);
         at = isKept ? behind : at;
         return isKept;
+    }
+
+    /** A number made of all that is left of a tag, by which it is found among others. */
+    int fingerprint() {
+        int print = 0;
+        for (int i = at; buffer[i] != '>' && buffer[i] != 0; i++) {
+            print = 31 * print + buffer[i];
+        }
+        return print;
+    }
+
+    /** What has not been read. */
+    InputStream rest() {
+        return new SequenceInputStream(new ByteArrayInputStream(Arrays.copyOfRange(buffer, at, end)), input);
+    }
+
+    /** Reads on from another stream, and forgets what is left of the last. */
+    void readOn(InputStream other) {
+        input = other;
+        at = end;
+        isAllRead = false;
     }
 
     /** Whether the tag or the attribute at hand has this name. */
@@ -218,15 +249,23 @@ final class Markup {
 
     /** Makes sure that nothing follows but white space and comments. */
     void end() throws IOException {
+        Unusual.unless(!isMoreLeft());
+    }
+
+    /** Moves behind white space and comments; whether anything is left there. */
+    boolean isMoreLeft() throws IOException {
         while (at < end || !isAllRead) {
             fill();
             skipBlanks();
             if (at < end) {
-                Unusual.unless(startsWith("<!--"));
+                if (!startsWith("<!--")) {
+                    return true;
+                }
                 at++;
                 skipComment();
             }
         }
+        return false;
     }
 
     private void name() {
@@ -237,11 +276,11 @@ final class Markup {
         nameTo = at;
     }
 
-    private static boolean isOfName(byte c) {
+    static boolean isOfName(byte c) {
         return (c >= 'a' && c <= 'z') || c == '-' || (c >= 'A' && c <= 'Z');
     }
 
-    private static boolean isBlank(byte c) {
+    static boolean isBlank(byte c) {
         return c == ' ' || c == '\n' || c == '\t' || c == '\r';
     }
 

@@ -21,6 +21,8 @@ import org.jspecify.annotations.Nullable;
 final class MaterialReader {
     static final byte[] ELEMENT = Slot.ascii("material");
 
+    private static final int KNOWN = 256;
+
     private static final RecordForm<Material> MATERIAL = new RecordForm<>(Material.class);
     private static final List<Slot> OWN = List.of(Slot.optional("name", ValueForm.TEXT, Slot.NONE), Slot.optional("color", ValueForm.COLOR, Slot.NONE));
     private static final TagForm TAG = new TagForm(OWN, MATERIAL.slots());
@@ -30,6 +32,7 @@ final class MaterialReader {
     private static final List<Integer> PLACES = shares(Described.of(Material.class).stream().map(Described::name).toList()::indexOf);
     private static final RecordForm<Material.Shares> SHARES_FORM = new RecordForm<>(Material.Shares.class);
     private static final Object[] NOTHING = {};
+    private static final Object[] EVEN = Collections.nCopies(SHARES.size(), new Even()).toArray();
     private static final RecordForm<Material.ByPattern> BY_PATTERN = new RecordForm<>(Material.ByPattern.class);
     private static final TagForm BY_PATTERN_TAG = new TagForm(BY_PATTERN.slots(), List.of());
     private static final Name BUMP = new Name(ElementTable.name(Bump.class));
@@ -42,9 +45,10 @@ final class MaterialReader {
 
     private final Markup markup;
     private final double[] room;
-    private Named last = new Named("", Material.DEFAULT);
-    /** In how many elements the last one was; 0 before there is one. */
-    private int lastDepth;
+    /** Some that were read, found by their tags: as they are written, in how many elements they were, and what they are. */
+    private final byte[][] texts = new byte[KNOWN][0];
+    private final int[] depths = new int[KNOWN];
+    private final Named[] known = new Named[KNOWN];
 
     /** @param room for three numbers */
     MaterialReader(Markup markup, double[] room) {
@@ -59,26 +63,28 @@ final class MaterialReader {
     /** A material with its name, which is empty if it has none. */
     record Named(String name, Material material) {}
 
-    /** The material whose start tag is at hand: the last one, if it is written as that was, as neighbours often are. */
+    /** The material whose start tag is at hand: one that is known, if it is written as that was, as often where there are many bodies. */
     Named read(int depth) throws IOException {
-        if (depth > lastDepth || !markup.isKeptOnceMore()) {
+        int i = markup.fingerprint() & KNOWN - 1;
+        if (depth > depths[i] || !markup.isOnceMore(texts[i])) {
             long place = markup.place();
-            last = another(depth);
-            lastDepth = depth;
-            markup.keep(place);
+            known[i] = another(depth);
+            depths[i] = depth;
+            texts[i] = markup.since(place);
         }
-        return last;
+        return known[i];
     }
 
     private Named another(int depth) throws IOException {
         Object[] values = TAG.read(markup, room);
         Pattern pattern = null;
-        Object[] shares = Collections.nCopies(SHARES.size(), new Even()).toArray();
+        Object[] shares = EVEN;
         Relief relief = Relief.FLAT;
         if (markup.hasContent(depth)) {
             while (markup.nextTag()) {
                 int share = share();
                 if (share >= 0) {
+                    shares = shares == EVEN ? EVEN.clone() : shares;
                     Unusual.unless(shares[share] instanceof Even && MATERIAL.isUntouched(values, OWN.size(), PLACES.get(share)));
                     shares[share] = around(SHARES.get(share), BY_PATTERN, BY_PATTERN_TAG, depth + 1);
                 } else if (BUMP.isAtHand(markup) || NORMAL_MAP.isAtHand(markup)) {
@@ -91,7 +97,7 @@ final class MaterialReader {
             }
             markup.endTag(ELEMENT);
         }
-        return new Named((String) values[0], MATERIAL.make(values, OWN.size(), pattern(values[1], pattern), SHARES_FORM.make(NOTHING, 0, shares), relief));
+        return new Named((String) values[0], MATERIAL.make(values, OWN.size(), pattern(values[1], pattern), shares == EVEN ? Material.Shares.EVEN : SHARES_FORM.make(NOTHING, 0, shares), relief));
     }
 
     private static Pattern pattern(Object color, @Nullable Pattern inside) {

@@ -142,6 +142,9 @@ final class WholeSceneReader {
             }
         }
         parts.objects.add(shapes.object(depth));
+        if (parts.objects.size() == ManyObjects.MANY && depth == ManyObjects.DEPTH) {
+            markup.readOn(ManyObjects.read(markup.rest(), parts.objects));
+        }
     }
 
     /** The attributes of an element that has nothing inside. */

@@ -32,12 +32,14 @@ import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.height.HeightField;
 import cz.paprsek.text.MadeInCode;
 import cz.paprsek.xml.format.SceneFormat;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 
 /** Writes scenes in a fixed order and form: one element a line, attributes equal to their default left out. */
 public final class SceneWriter {
@@ -49,6 +51,37 @@ public final class SceneWriter {
     private int lastLevel = -1;
     private int lastStart;
     private int lastEnd;
+    private final Map<Described, Latest> latest = new IdentityHashMap<>();
+
+    /** What is known of an attribute, and its value that was written last, or left out: most are as those of the neighbour, and numbers take long to become texts. */
+    private static final class Latest {
+        private final Kind kind;
+        private final Kind.Form form;
+        private final boolean isOptional;
+        private final String otherwise;
+        private @Nullable Object value;
+        private String text = "";
+
+        Latest(Described of) {
+            kind = of.says().value();
+            form = kind.form();
+            isOptional = of.isOptional();
+            otherwise = of.says().otherwise();
+        }
+
+        String text(Object now) {
+            if (!now.equals(value)) {
+                value = now;
+                text = SceneWriter.text(form, now);
+            }
+            return text;
+        }
+
+        /** What is read if nothing is written. */
+        String standard(Record record) {
+            return record instanceof RenderSettings settings && kind == Kind.SAMPLES ? String.valueOf(settings.integrator().usualSamples()) : otherwise;
+        }
+    }
 
     /** Of a scene with a recipe, that recipe. */
     public String file(Scene scene) {
@@ -158,23 +191,23 @@ public final class SceneWriter {
     private XmlText attributes(Record record, Predicate<Described> which) {
         for (Described one : Described.inline(record.getClass())) {
             if (one.isOf(record) && which.test(one)) {
-                String text = text(one, one.value(record));
-                if (one.isOptional() || !text.equals(standard(one, record))) {
-                    xml.attribute(one.name(), text);
+                Latest last = latest.computeIfAbsent(one, Latest::new);
+                String text = last.text(one.value(record));
+                if (last.isOptional || !text.equals(last.standard(record))) {
+                    xml.attribute(one.name(), text, last.form != Kind.Form.TEXT && last.form != Kind.Form.WORDS);
                 }
             }
         }
         return xml;
     }
 
-    /** What is read if nothing is written. */
-    private static String standard(Described one, Record record) {
-        return record instanceof RenderSettings settings && one.says().value() == Kind.SAMPLES ? String.valueOf(settings.integrator().usualSamples()) : one.says().otherwise();
-    }
-
     /** Empty for what is not there. */
     static String text(Described one, Object value) {
-        return switch (one.says().value().form()) {
+        return text(one.says().value().form(), value);
+    }
+
+    private static String text(Kind.Form form, Object value) {
+        return switch (form) {
             case NUMBER, WHOLE -> value instanceof OptionalDouble optional ? optional.isPresent() ? XmlText.text(optional.getAsDouble()) : ""
                     : XmlText.text(((Number) value).doubleValue());
             case VECTOR -> XmlText.text((Vec3) value);
@@ -289,7 +322,7 @@ public final class SceneWriter {
 
     /** A material without a name. Of neighbours that have the same one, the text is. */
     private void own(Material material) {
-        if (xml.level() == lastLevel && material.equals(last)) {
+        if (xml.level() == lastLevel && material.pattern().equals(last.pattern()) && material.equals(last)) {
             xml.again(lastStart, lastEnd);
             return;
         }

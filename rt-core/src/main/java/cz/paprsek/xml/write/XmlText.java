@@ -23,9 +23,18 @@ final class XmlText {
 
     /** Adds an attribute to the element just opened, unless its value is empty. */
     XmlText attribute(String name, String value) {
+        return attribute(name, value, false);
+    }
+
+    /** @param isPlain whether nothing in the value needs to be escaped, for sure */
+    XmlText attribute(String name, String value, boolean isPlain) {
         if (!value.isEmpty()) {
             text.append(' ').append(name).append("=\"");
-            escape(value);
+            if (isPlain) {
+                text.append(value);
+            } else {
+                escape(value);
+            }
             text.append('"');
         }
         return this;
