@@ -50,6 +50,9 @@ import javafx.scene.layout.StackPane;
  * object that is seen at the pixel, a second one the operand of it, Alt and a click the innermost operand at once.
  */
 public final class CameraPane extends StackPane implements AutoCloseable {
+    /** More than so many things are not outlined while a hand moves them. */
+    private static final int MANY = 200;
+
     private final EditorModel model;
     private final LivePicture picture;
     private final CameraHand hand;
@@ -277,7 +280,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     private void draw(GraphicsContext g) {
         Outlines outlines = new Outlines(g, now(), view.camera(now()));
         hovered.filter(body -> body.isIn(model.scene()) && !model.selection().contains(body)).ifPresent(body -> outlines.draw(body, Look.FAINT));
-        if (objects.isPresent()) {
+        if (objects.isPresent() && (model.selection().size() <= MANY || !model.gesturingProperty().get())) {
             outlines.selected();
         }
         droppedOn.filter(body -> body.isIn(model.scene())).ifPresent(body -> outlines.draw(body, Look.STRONG));

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
@@ -103,6 +104,20 @@ final class Figures {
 
     Figure of(BodyAt at) {
         return of(scene.objects().get(at.numbers().get(0))).at(at.numbers().subList(1, at.numbers().size()));
+    }
+
+    /** Of many bodies, their figures, to be shown elsewhere as they are; none if they are few, or one has operands or no end. */
+    List<Figure> ofMany(Set<ScenePath> items) {
+        List<Figure> all = items.size() <= FEW ? List.of() : items.stream().filter(BodyAt.class::isInstance).map(item -> of((BodyAt) item)).toList();
+        return all.stream().allMatch(figure -> figure.operands().isEmpty() && !figure.box().isEmpty()) && Places.bodies(items).stream().allMatch(at -> at.depth() == 0) ? all : List.of();
+    }
+
+    /** Whether figures are the others, all moved as the first is, to a small error. */
+    @SuppressWarnings("ReferenceEquality")
+    static boolean areMoved(List<Figure> before, List<Figure> now, double error) {
+        return !now.isEmpty() && before.size() == now.size() && IntStream.range(0, now.size()).allMatch(i -> now.get(i).lines() == before.get(i).lines()
+                && Math.abs(now.get(i).byU() - before.get(i).byU() - now.get(0).byU() + before.get(0).byU()) < error
+                && Math.abs(now.get(i).byV() - before.get(i).byV() - now.get(0).byV() + before.get(0).byV()) < error);
     }
 
     /** Whether all that is drawn of items when they are selected lies within their boxes, but for what they are grabbed by; of many it may, and is not looked for. */

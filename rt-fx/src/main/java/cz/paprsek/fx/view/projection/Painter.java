@@ -87,28 +87,30 @@ final class Painter {
         }
     }
 
-    /** The objects and lights that are selected. */
+    /** The objects that are selected. */
     void selected(EditorState state, Figures figures) {
         List<Figure> ghosts = new ArrayList<>();
         g.setLineWidth(1.8);
-        g.beginPath();
+        g.setStroke(palette.selected());
         for (ScenePath item : state.selection()) {
-            if (item instanceof ScenePath.BodyAt body && !state.isHidden(item) && figures.of(body).operands().isEmpty()) {
+            if (item instanceof ScenePath.BodyAt body && !state.isHidden(item) && figures.of(body).operands().isEmpty() && isInSight(figures.of(body))) {
+                g.beginPath();
                 whole(figures.of(body), ghosts);
+                g.stroke();
             }
         }
-        g.setStroke(palette.selected());
-        g.stroke();
         ghosts(ghosts, palette.selected());
         for (ScenePath item : state.selection()) {
             if (item instanceof ScenePath.BodyAt body && !state.isHidden(item)) {
                 operands(state, body, figures);
             }
         }
-        Scene scene = figures.scene();
+    }
+
+    void selectedLights(EditorState state) {
         for (ScenePath item : state.selection()) {
             if (item instanceof ScenePath.LightAt light && !state.isHidden(item)) {
-                light(scene.lights().get(light.index()), palette.selected());
+                light(state.scene().lights().get(light.index()), palette.selected());
             }
         }
     }

@@ -53,6 +53,8 @@ import org.jspecify.annotations.Nullable;
 public final class ProjectionPane extends Region {
     /** About a selection's box, so that it holds all handles, pixels. */
     private static final double AIR = 36;
+    /** By how much a line may be elsewhere while it is dragged, pixels. */
+    private static final double MISSED = 0.01;
 
     /** All on which the lowest layer depends, besides the objects. What a gesture changes is drawn above, and apart from the rest. */
     private record Look(Viewport view, Theme theme, Set<ScenePath> apart, Set<ScenePath> hidden) {}
@@ -78,6 +80,9 @@ public final class ProjectionPane extends Region {
     /** Whether the whole scene is shown, also when the pane's size changes: until the user looks at something closer. */
     private boolean fits = true;
     private int openings;
+    /** Many things that a hand holds, as they have been drawn: where they are only moved, all of the layer is. */
+    private List<Figure> held = List.of();
+    private Viewport heldView = view;
     private @Nullable Look drawnLook;
     private Scene drawn = Scene.EMPTY;
     private @Nullable Drag drag;
@@ -347,19 +352,28 @@ public final class ProjectionPane extends Region {
 
     private void draw(EditorState state) {
         Painter painter = new Painter(selected.getGraphicsContext2D(), view, axes, theme().palette());
-        selected.draw(new Object(), g -> {
-            section.ifPresent(skin -> skin.draw(g, theme().palette(), axes.along(), this::toPane));
-            section.filter(skin -> skin.isHeld() && drag == null).flatMap(skin -> skin.line(axes.along())).ifPresent(line ->
-                    Plate.beside(g, view, Drag.Cutting.figures(line, view, texts.locale()), toPane(Drag.Cutting.middle(line, axes, view)), theme().palette()));
-            onion.ifPresent(skin -> {
-                skin.passing((object, isSelected) -> painter.moment(figures.passing(object), isSelected));
-                skin.ways(g, theme().palette(), this::toPane);
+        List<Figure> many = drag != null || model.gesturingProperty().get() ? figures.ofMany(state.selection()) : List.of();
+        boolean isMoved = view.equals(heldView) && Figures.areMoved(held, many, MISSED / view.scale());
+        selected.setTranslateX(isMoved ? (many.get(0).byU() - held.get(0).byU()) * view.scale() : 0);
+        selected.setTranslateY(isMoved ? (held.get(0).byV() - many.get(0).byV()) * view.scale() : 0);
+        boolean isWhole = section.filter(SectionSkin::isSeen).isEmpty() && onion.filter(OnionSkin::isSeen).isEmpty() && highlighted.isEmpty() && view.contains(figures.box(state.selection()));
+        if (!isMoved) {
+            held = isWhole ? many : List.of();
+            heldView = view;
+            selected.draw(new Object(), g -> {
+                section.ifPresent(skin -> skin.draw(g, theme().palette(), axes.along(), this::toPane));
+                section.filter(skin -> skin.isHeld() && drag == null).flatMap(skin -> skin.line(axes.along())).ifPresent(line ->
+                        Plate.beside(g, view, Drag.Cutting.figures(line, view, texts.locale()), toPane(Drag.Cutting.middle(line, axes, view)), theme().palette()));
+                onion.ifPresent(skin -> {
+                    skin.passing((object, isSelected) -> painter.moment(figures.passing(object), isSelected));
+                    skin.ways(g, theme().palette(), this::toPane);
+                });
+                highlighted.filter(body -> body.isIn(state.scene())).ifPresent(body -> painter.highlighted(figures.of(body)));
+                if (!state.selection().isEmpty()) {
+                    painter.selected(state, figures);
+                }
             });
-            highlighted.filter(body -> body.isIn(state.scene())).ifPresent(body -> painter.highlighted(figures.of(body)));
-            if (!state.selection().isEmpty()) {
-                painter.selected(state, figures);
-            }
-        });
+        }
         Box handles = handleBox();
         List<Grip> grips = grips();
         Box box = figures.box(state.selection());
@@ -374,6 +388,7 @@ public final class ProjectionPane extends Region {
         });
         grabbed.draw(new Object(), g -> {
             if (!state.selection().isEmpty()) {
+                above.selectedLights(state);
                 above.handles(handles, true);
                 name.run();
                 above.grips(grips);

@@ -79,6 +79,11 @@ record Viewport(double centreU, double centreV, double scale, double width, doub
         return new BoundingBox(Math.max(0, left), Math.max(0, top), Math.min(width, right) - Math.max(0, left), Math.min(height, bottom) - Math.max(0, top));
     }
 
+    /** Whether all of a box is in sight. */
+    boolean contains(Box box) {
+        return x(box.minU()) >= 1 && x(box.maxU()) <= width - 1 && y(box.maxV()) >= 1 && y(box.minV()) <= height - 1;
+    }
+
     /** Whether a box is in sight at all. */
     boolean shows(Box box) {
         return x(box.maxU()) >= 0 && x(box.minU()) <= width && y(box.minV()) >= 0 && y(box.maxV()) <= height;

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.projection;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.EditorModel;
@@ -74,6 +75,26 @@ class LayersTest {
             gui.act(() -> model.select());
             gui.act(() -> model.select(ScenePath.body(444)));
             assertThat(differing(cancelled, pixels(gui))).as("pixels that are otherwise after the drag has been given up").isZero();
+        }
+    }
+
+    @Test
+    void allThatIsDraggedIsDrawnOnceAndMoved() {
+        try (Gui gui = Gui.show(() -> pane, 400, 300)) {
+            gui.act(() -> model.select(IntStream.range(0, 1000).mapToObj(ScenePath::body).collect(Collectors.toSet())));
+            Gesture drag = Gui.on(() -> model.begin(Label.of(Label.Edit.MOVE)));
+            gui.pulse();
+            int before = ofAll(Layer::drawings).get("selected");
+            for (int i = 1; i <= STEPS; i++) {
+                move(gui, drag, 0.1 * i);
+            }
+            assertThat(ofAll(Layer::drawings).get("selected") - before).isZero();
+            double pixel = Gui.on(() -> pane.toPane(Vec3.X).getX() - pane.toPane(Vec3.ZERO).getX());
+            assertThat(ofAll(Layer::getTranslateX).get("selected")).isCloseTo(0.1 * STEPS * pixel, within(1e-6));
+            assertThat(ofAll(Layer::getTranslateY).get("selected")).isCloseTo(-0.05 * STEPS * pixel, within(1e-6));
+            gui.act(drag::commit);
+            assertThat(ofAll(Layer::getTranslateX).get("selected")).isZero();
+            assertThat(ofAll(Layer::drawings).get("selected") - before).isEqualTo(1);
         }
     }
 
