@@ -51,7 +51,7 @@ public final class SceneWriter {
     private int lastLevel = -1;
     private int lastStart;
     private int lastEnd;
-    private final Map<Described, Latest> latest = new IdentityHashMap<>();
+    private final IdentityHashMap<Described, Latest> latest = new IdentityHashMap<>();
 
     /** What is known of an attribute, and its value that was written last, or left out: most are as those of the neighbour, and numbers take long to become texts. */
     private static final class Latest {
