@@ -58,7 +58,7 @@ class MitsubaTest {
                 assertThat(mitsuba.render(scene.name(), scene).whole()).as(scene.name()).isCloseTo(sum / (3 * 256 * 256), within(0.003));
             }
             Scene ring = StandardScenes.ring(2000);
-            assertThat(mitsuba.render("ring", ring).whole()).isEqualTo(ours(ring).stats().hits());
+            assertThat(mitsuba.render("ring", ring).whole()).isEqualTo((double) ours(ring).stats().hits());
             assertThat(mitsuba.seconds("ring", ring, 1)).isPositive();
         }
     }
