@@ -389,9 +389,53 @@ public record Material(
         });
     }
 
-    private Material with(Consumer<MaterialParts> change) {
-        MaterialParts parts = new MaterialParts(this);
+    private Material with(Consumer<Parts> change) {
+        Parts parts = new Parts(this);
         change.accept(parts);
         return parts.together();
+    }
+
+    /** What a material is made of while it is being changed. */
+    private static final class Parts {
+        private Pattern pattern;
+        private double diffusion;
+        private double specular;
+        private double shininess;
+        private double reflection;
+        private double transparency;
+        private double refractiveIndex;
+        private Fresnel fresnel;
+        private double roughness;
+        private boolean thin;
+        private Rgb attenuationColor;
+        private double attenuationDistance;
+        private Rgb emission;
+        private double emissionStrength;
+        private Shares shares;
+        private Relief relief;
+
+        Parts(Material of) {
+            pattern = of.pattern;
+            diffusion = of.diffusion;
+            specular = of.specular;
+            shininess = of.shininess;
+            reflection = of.reflection;
+            transparency = of.transparency;
+            refractiveIndex = of.refractiveIndex;
+            fresnel = of.fresnel;
+            roughness = of.roughness;
+            thin = of.thin;
+            attenuationColor = of.attenuationColor;
+            attenuationDistance = of.attenuationDistance;
+            emission = of.emission;
+            emissionStrength = of.emissionStrength;
+            shares = of.shares;
+            relief = of.relief;
+        }
+
+        Material together() {
+            return new Material(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, fresnel,
+                    roughness, thin, attenuationColor, attenuationDistance, emission, emissionStrength, shares, relief);
+        }
     }
 }
