@@ -58,7 +58,7 @@ class PngTest {
         Image image = mixture(700, 603);
         Image made = new Image(700, 603);
         ImageOptions options = ImageOptions.DEFAULT.withBits(bits).withOrigin(new Origin("mixture", "", "", ""));
-        try (GrowingPng png = new GrowingPng(made, bits)) {
+        try (ImageFiles.GrowingPng png = new ImageFiles.GrowingPng(made, bits)) {
             for (int y = 0; y < 603; y += 201) {
                 for (int x : new int[] {350, 0}) {
                     for (int i = 0; i < 350 * 201; i++) {

@@ -1,7 +1,7 @@
 package cz.paprsek.cli.output;
 
-import cz.paprsek.image.GrowingPng;
 import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFiles.GrowingPng;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
 import cz.paprsek.image.Layers;
