@@ -47,7 +47,7 @@ class MistakesTest {
         "render a.xml --mode shade            | but found 'shade'; did you mean \"shaded\"?",
         "render a.xml --tone filmc            | expected one of none, filmic, but found 'filmc'; did you mean \"filmic\"?",
         "explain a.xml 1,1 --color alway      | expected one of auto, always, never, but found 'alway'; did you mean \"always\"?",
-        "bench --against povry                | expected one of povray, but found 'povry'; did you mean \"povray\"?",
+        "bench --against povry                | expected one of povray, mitsuba, but found 'povry'; did you mean \"povray\"?",
         "compare a.png b.png --tolerance none | expected a number, but found 'none'",
         "render a.xml -s 3x3                  | unknown option \"-s\"; did you mean \"--size\"?",
         "render a.xml -size 3x3               | unknown option \"-size\"; did you mean \"--size\"?",
