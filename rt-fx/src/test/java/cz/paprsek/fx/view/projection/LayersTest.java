@@ -19,11 +19,9 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Sphere;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.scene.image.WritableImage;
@@ -35,7 +33,7 @@ class LayersTest {
     private static final List<String> NAMES = List.of("rest", "selected", "signs", "grabbed");
 
     private final EditorModel model = new EditorModel(Scene.EMPTY.withObjects(IntStream.range(0, 1000)
-            .mapToObj(i -> SceneObject.of(new Sphere(0.3)).at(i % 10, i / 10 % 10, -i / 100)).toList()));
+            .mapToObj(i -> SceneObject.of(new Sphere(0.3)).at(i % 10, i / 10 % 10, -Math.floorDiv(i, 100))).toList()));
     private final ProjectionPane pane = Gui.on(() -> new ProjectionPane(new Edits(model, Texts.in(Locale.ENGLISH)), Axes.FRONT, new SimpleObjectProperty<>(Theme.LIGHT),
             new SimpleBooleanProperty(true), new SimpleBooleanProperty(true)));
 
@@ -45,15 +43,15 @@ class LayersTest {
             gui.act(() -> model.select(ScenePath.body(444)));
             Gesture drag = Gui.on(() -> model.begin(Label.of(Label.Edit.MOVE)));
             gui.pulse();
-            Map<String, Integer> before = ofAll(Layer::drawings);
+            List<Integer> before = ofAll(Layer::drawings);
             for (int i = 1; i <= STEPS; i++) {
                 move(gui, drag, 0.01 * i);
             }
-            Map<String, Integer> drawn = ofAll(Layer::drawings);
-            assertThat(NAMES).extracting(name -> drawn.get(name) - before.get(name)).containsExactly(0, STEPS, 0, STEPS);
-            Map<String, Double> areas = ofAll(layer -> layer.getBoundsInParent().getWidth() * layer.getBoundsInParent().getHeight());
-            assertThat(areas.get("selected")).isBetween(1000.0, 400 * 300 / 6.0);
-            assertThat(areas.get("grabbed")).isEqualTo(areas.get("selected"));
+            List<Integer> drawn = ofAll(Layer::drawings);
+            assertThat(IntStream.range(0, NAMES.size()).map(i -> drawn.get(i) - before.get(i))).containsExactly(0, STEPS, 0, STEPS);
+            double area = of("selected", LayersTest::area);
+            assertThat(area).isBetween(1000.0, 400 * 300 / 6.0);
+            assertThat(of("grabbed", LayersTest::area)).isEqualTo(area);
         }
     }
 
@@ -84,17 +82,17 @@ class LayersTest {
             gui.act(() -> model.select(IntStream.range(0, 1000).mapToObj(ScenePath::body).collect(Collectors.toSet())));
             Gesture drag = Gui.on(() -> model.begin(Label.of(Label.Edit.MOVE)));
             gui.pulse();
-            int before = ofAll(Layer::drawings).get("selected");
+            int before = of("selected", Layer::drawings);
             for (int i = 1; i <= STEPS; i++) {
                 move(gui, drag, 0.1 * i);
             }
-            assertThat(ofAll(Layer::drawings).get("selected") - before).isZero();
+            assertThat(of("selected", Layer::drawings) - before).isZero();
             double pixel = Gui.on(() -> pane.toPane(Vec3.X).getX() - pane.toPane(Vec3.ZERO).getX());
-            assertThat(ofAll(Layer::getTranslateX).get("selected")).isCloseTo(0.1 * STEPS * pixel, within(1e-6));
-            assertThat(ofAll(Layer::getTranslateY).get("selected")).isCloseTo(-0.05 * STEPS * pixel, within(1e-6));
+            assertThat(of("selected", Layer::getTranslateX)).isCloseTo(0.1 * STEPS * pixel, within(1e-6));
+            assertThat(of("selected", Layer::getTranslateY)).isCloseTo(-0.05 * STEPS * pixel, within(1e-6));
             gui.act(drag::commit);
-            assertThat(ofAll(Layer::getTranslateX).get("selected")).isZero();
-            assertThat(ofAll(Layer::drawings).get("selected") - before).isEqualTo(1);
+            assertThat(of("selected", Layer::getTranslateX)).isZero();
+            assertThat(of("selected", Layer::drawings) - before).isEqualTo(1);
         }
     }
 
@@ -102,8 +100,16 @@ class LayersTest {
         gui.act(() -> drag.preview(scene -> Moves.translated(scene, model.selection(), new Vec3(by, by / 2, 0))));
     }
 
-    private <T> Map<String, T> ofAll(Function<Layer, T> what) {
-        return Gui.on(() -> Stream.of("rest", "selected", "signs", "grabbed").collect(Collectors.toMap(name -> name, name -> what.apply((Layer) pane.lookup("." + name)))));
+    private static double area(Layer layer) {
+        return layer.getBoundsInParent().getWidth() * layer.getBoundsInParent().getHeight();
+    }
+
+    private <T> T of(String name, Function<Layer, T> what) {
+        return Gui.on(() -> what.apply((Layer) pane.lookup("." + name)));
+    }
+
+    private <T> List<T> ofAll(Function<Layer, T> what) {
+        return NAMES.stream().map(name -> of(name, what)).toList();
     }
 
     private int[] pixels(Gui gui) {
