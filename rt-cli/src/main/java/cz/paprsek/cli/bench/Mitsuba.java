@@ -41,6 +41,8 @@ final class Mitsuba implements Rival {
      */
     Mitsuba(int threads, Stop stop) throws IOException {
         this.stop = stop;
+        // A stop waits until the folder is gone.
+        stop.oweLastWords();
         this.folder = TemporaryFolder.create("paprsek-mitsuba");
         try (InputStream script = Objects.requireNonNull(Mitsuba.class.getResourceAsStream(SCRIPT))) {
             Files.copy(script, folder.path().resolve(SCRIPT));
