@@ -127,18 +127,27 @@ public record Material(
     /** What says a share point by point, by the name of its attribute; nothing of one that is the same everywhere, or of what is no share. */
     public Optional<ByPattern> byPattern(String attribute) {
         Objects.requireNonNull(attribute, "attribute");
-        return !shares.equals(Shares.EVEN) && Described.values(shares).get(attribute) instanceof ByPattern by ? Optional.of(by) : Optional.empty();
+        return !shares.isEven() && Described.values(shares).get(attribute) instanceof ByPattern by ? Optional.of(by) : Optional.empty();
+    }
+
+    /** Of what mostly differs. */
+    @Override
+    public int hashCode() {
+        return 31 * (31 * (31 * (31 * pattern.hashCode() + Double.hashCode(diffusion)) + Double.hashCode(specular)) + Double.hashCode(reflection)) + Double.hashCode(transparency);
     }
 
     /** The names of the pictures it needs. */
     public List<String> files() {
+        if (pattern instanceof Pattern.Plain && relief instanceof Flat && shares.isEven()) {
+            return List.of();
+        }
         Stream<String> own = relief instanceof NormalMap map ? Stream.of(map.file()) : Stream.of();
         return Stream.concat(patterns().filter(Pattern.Picture.class::isInstance).map(one -> ((Pattern.Picture) one).file()), own).distinct().toList();
     }
 
     /** All patterns that it has: that of the colour first. */
     public Stream<Pattern> patterns() {
-        if (shares.equals(Shares.EVEN) && !(relief instanceof Bump)) {
+        if (shares.isEven() && !(relief instanceof Bump)) {
             return Stream.of(pattern);
         }
         return Stream.of(Stream.of(pattern), shares.all().flatMap(share -> share instanceof ByPattern by ? Stream.of(by.pattern()) : Stream.of()),
@@ -223,6 +232,11 @@ public record Material(
             Objects.requireNonNull(reflection, "reflection");
             Objects.requireNonNull(transparency, "transparency");
             Objects.requireNonNull(roughness, "roughness");
+        }
+
+        /** Whether they are {@link #EVEN}: asked of each object, of which there may be millions. */
+        public boolean isEven() {
+            return diffusion instanceof Even && specular instanceof Even && reflection instanceof Even && transparency instanceof Even && roughness instanceof Even;
         }
 
         /** In the order of the components. */

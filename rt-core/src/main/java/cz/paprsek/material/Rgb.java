@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A colour as people write it: sRGB-encoded, 0–255 per channel, decimals allowed.
@@ -19,6 +20,17 @@ public record Rgb(double red, double green, double blue) {
         Require.within("red", red, 0, 255);
         Require.within("green", green, 0, 255);
         Require.within("blue", blue, 0, 255);
+    }
+
+    /** As that of any record, but at hand, as that of {@link cz.paprsek.math.Vec3}. */
+    @Override
+    public boolean equals(@Nullable Object other) {
+        return other instanceof Rgb c && Double.compare(red, c.red) == 0 && Double.compare(green, c.green) == 0 && Double.compare(blue, c.blue) == 0;
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * (31 * Double.hashCode(red) + Double.hashCode(green)) + Double.hashCode(blue);
     }
 
     /** A grey of equal channels. */

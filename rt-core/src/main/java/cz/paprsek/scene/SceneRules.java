@@ -158,8 +158,10 @@ public final class SceneRules {
     }
 
     private static void checkName(String kind, String name, Object owner, Set<String> seen, Report report) {
-        checkText(kind + " name", name, owner, report);
-        checkUnique(kind, name, owner, seen, report);
+        if (!name.isEmpty()) {
+            checkText(kind + " name", name, owner, report);
+            checkUnique(kind, name, owner, seen, report);
+        }
     }
 
     private static void checkUnique(String kind, String name, Object owner, Set<String> seen, Report report) {
@@ -171,7 +173,7 @@ public final class SceneRules {
 
     private static boolean hasBoard(Material material) {
         return material.pattern() instanceof Pattern.Checkerboard
-                || (!material.shares().equals(Material.Shares.EVEN) && material.patterns().anyMatch(Pattern.Checkerboard.class::isInstance))
+                || (!material.shares().isEven() && material.patterns().anyMatch(Pattern.Checkerboard.class::isInstance))
                 || (material.relief() instanceof Material.Bump bump && bump.pattern() instanceof Pattern.Checkerboard);
     }
 

@@ -105,7 +105,7 @@ final class Unknown {
         note(material.thin(), "thin");
         note(material.absorbs(), "attenuation-color");
         note(material.shines(), "emission");
-        note(!material.shares().equals(Material.Shares.EVEN), "shares by patterns");
+        note(!material.shares().isEven(), "shares by patterns");
         note(!(material.relief() instanceof Material.Flat), "bump and normal-map");
     }
 

@@ -10,7 +10,10 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Sphere;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -59,6 +62,17 @@ class ManyObjectsTest {
         Scene scene = SceneFiles.parse(text(gap, inside, 70_001, LIGHT + "<!-- />" + (gap + object(0, "")).replace("<!--", "").replace("-->", "").repeat(10) + "\n -->"));
         assertThat(scene.objects().equals(all)).isTrue();
         assertThat(scene.lights()).hasSize(1);
+    }
+
+    @Test
+    void materialsWrittenAlikeAreOneWhoeverReadsThem() throws Exception {
+        StringBuilder text = new StringBuilder(HEAD);
+        for (int i = 0; i < COUNT; i++) {
+            text.append("<sphere radius='1'><material color='").append(i % 3).append(" 1 2'/></sphere>");
+        }
+        Set<Object> materials = Collections.newSetFromMap(new IdentityHashMap<>());
+        SceneFiles.parse(text.append("</scene>").toString()).objects().forEach(object -> materials.add(object.material()));
+        assertThat(materials).hasSize(3);
     }
 
     @Test

@@ -175,7 +175,7 @@ public final class Finish {
     /** Whether what is made of a material depends on where in space that is declared. */
     static boolean isPlaced(Material material) {
         return !(material.relief() instanceof Material.Flat) || Paint.isPlaced(material.pattern())
-                || (!material.shares().equals(Material.Shares.EVEN) && material.patterns().anyMatch(Paint::isPlaced));
+                || (!material.shares().isEven() && material.patterns().anyMatch(Paint::isPlaced));
     }
 
     /** Whether light that falls on it shows: if not, no shadow ray is needed. */

@@ -203,8 +203,9 @@ final class Placing {
     }
 
     /** Neighbours are mostly of one material: that saves hashing it. */
+    @SuppressWarnings("ReferenceEquality")
     private Finish shared(Material material) {
-        if (!material.equals(lastMaterial)) {
+        if (material != lastMaterial) {
             lastFinish = shared.size() < MANY ? shared.computeIfAbsent(material, this::anywhere) : recurring(material);
             lastMaterial = material;
         }

@@ -60,7 +60,7 @@ record Variety(Share diffusion, Share specular, Share reflection, Share transpar
 
     static Variety of(Material material, Affine toDeclared, Textures textures) {
         Material.Shares shares = material.shares();
-        boolean hasShares = !shares.equals(Material.Shares.EVEN) && shares.all().anyMatch(ByPattern.class::isInstance);
+        boolean hasShares = !shares.isEven() && shares.all().anyMatch(ByPattern.class::isInstance);
         return !hasShares && material.relief() instanceof Material.Flat ? NONE : new Variety(
                 share(shares.diffusion(), toDeclared, textures), share(shares.specular(), toDeclared, textures), share(shares.reflection(), toDeclared, textures),
                 share(shares.transparency(), toDeclared, textures), share(shares.roughness(), toDeclared, textures), hasShares,

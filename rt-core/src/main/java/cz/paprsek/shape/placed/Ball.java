@@ -2,7 +2,6 @@ package cz.paprsek.shape.placed;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
-import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import org.jspecify.annotations.Nullable;
 
@@ -33,7 +32,7 @@ public final class Ball extends Convex {
 
     @Override
     public Bounds bounds() {
-        return Bounds.around(new Vec3(x, y, z), new Vec3(radius, radius, radius));
+        return new Bounds(x - radius, y - radius, z - radius, x + radius, y + radius, z + radius);
     }
 
     @Override

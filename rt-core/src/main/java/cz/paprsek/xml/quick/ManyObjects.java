@@ -27,11 +27,13 @@ final class ManyObjects {
     private static final int MOST_BLOCKS = 64;
 
     private final InputStream input;
+    private final MaterialReader known;
     private final byte[] text;
     private int end;
 
-    private ManyObjects(InputStream input, int blocks) {
+    private ManyObjects(InputStream input, MaterialReader known, int blocks) {
         this.input = input;
+        this.known = known;
         text = new byte[blocks * BLOCK];
     }
 
@@ -39,10 +41,11 @@ final class ManyObjects {
      * Reads objects as far as they can be told apart so; what comes then is left to be read on.
      *
      * @param input from behind an object on
+     * @param known knows materials that were read before
      */
-    static InputStream read(InputStream input, List<SceneObject> into) throws IOException {
+    static InputStream read(InputStream input, MaterialReader known, List<SceneObject> into) throws IOException {
         int blocks = Math.min(MOST_BLOCKS, BLOCKS_EACH * Runtime.getRuntime().availableProcessors());
-        return blocks == BLOCKS_EACH ? input : new ManyObjects(input, blocks).readInto(into);
+        return blocks == BLOCKS_EACH ? input : new ManyObjects(input, known, blocks).readInto(into);
     }
 
     private InputStream readInto(List<SceneObject> into) throws IOException {
@@ -110,7 +113,7 @@ final class ManyObjects {
     private Optional<List<SceneObject>> block(int from, int to) {
         Markup markup = new Markup(Arrays.copyOfRange(text, from, to));
         double[] room = new double[3];
-        ShapeReader shapes = new ShapeReader(markup, room, new MaterialReader(markup, room));
+        ShapeReader shapes = new ShapeReader(markup, room, known.knowing(markup, room));
         List<SceneObject> found = new ArrayList<>();
         try {
             while (markup.isMoreLeft()) {

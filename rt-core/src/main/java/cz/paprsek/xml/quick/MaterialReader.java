@@ -46,14 +46,26 @@ final class MaterialReader {
     private final Markup markup;
     private final double[] room;
     /** Some that were read, found by their tags: as they are written, in how many elements they were, and what they are. */
-    private final byte[][] texts = new byte[KNOWN][0];
-    private final int[] depths = new int[KNOWN];
-    private final Named[] known = new Named[KNOWN];
+    private final byte[][] texts;
+    private final int[] depths;
+    private final Named[] known;
 
     /** @param room for three numbers */
     MaterialReader(Markup markup, double[] room) {
+        this(markup, room, new byte[KNOWN][0], new int[KNOWN], new Named[KNOWN]);
+    }
+
+    private MaterialReader(Markup markup, double[] room, byte[][] texts, int[] depths, Named[] known) {
         this.markup = markup;
         this.room = room;
+        this.texts = texts;
+        this.depths = depths;
+        this.known = known;
+    }
+
+    /** One that knows those that this one knows, and reads others from elsewhere. */
+    MaterialReader knowing(Markup elsewhere, double[] other) {
+        return new MaterialReader(elsewhere, other, texts.clone(), depths.clone(), known.clone());
     }
 
     private static <T> List<T> shares(Function<String, T> each) {

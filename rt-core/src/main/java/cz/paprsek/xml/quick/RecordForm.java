@@ -40,6 +40,8 @@ final class RecordForm<R extends Record> {
         types = Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new);
         try {
             constructor = type.getConstructor(types);
+            // It is public; whether it may be called is then not asked each time.
+            constructor.setAccessible(true);
         } catch (NoSuchMethodException e) {
             throw new IllegalStateException("every record has this constructor", e);
         }

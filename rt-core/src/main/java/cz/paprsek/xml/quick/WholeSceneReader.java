@@ -143,7 +143,7 @@ final class WholeSceneReader {
         }
         parts.objects.add(shapes.object(depth));
         if (parts.objects.size() == ManyObjects.MANY && depth == ManyObjects.DEPTH) {
-            markup.readOn(ManyObjects.read(markup.rest(), parts.objects));
+            markup.readOn(ManyObjects.read(markup.rest(), materials, parts.objects));
         }
     }
 

@@ -247,7 +247,7 @@ public final class SceneWriter {
         if (material.pattern() instanceof CustomPattern) {
             pattern(material.pattern());
         }
-        if (!material.shares().equals(Material.Shares.EVEN)) {
+        if (!material.shares().isEven()) {
             Described.values(material.shares()).forEach((share, value) -> around(share, value));
         }
         ElementTable.of(material.relief().getClass()).forEach(kind -> around(ElementTable.name(kind), material.relief()));
@@ -256,7 +256,7 @@ public final class SceneWriter {
 
     /** The shares that a pattern says: no attributes. */
     private static Set<String> varied(Material material) {
-        return material.shares().equals(Material.Shares.EVEN) ? Set.of() : Described.values(material.shares()).entrySet().stream().filter(share -> share.getValue() instanceof ByPattern).map(Map.Entry::getKey).collect(Collectors.toSet());
+        return material.shares().isEven() ? Set.of() : Described.values(material.shares()).entrySet().stream().filter(share -> share.getValue() instanceof ByPattern).map(Map.Entry::getKey).collect(Collectors.toSet());
     }
 
     /** An element with a pattern inside, if there is one. */

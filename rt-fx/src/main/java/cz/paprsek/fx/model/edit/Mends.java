@@ -162,7 +162,7 @@ public final class Mends {
     private static Material lessThanAll(Material material) {
         boolean isGlass = material.fresnel() == Material.Fresnel.TRUE;
         double sum = material.diffusion() + (isGlass ? Math.max(material.reflection(), material.transparency()) : material.reflection() + material.transparency());
-        if (sum <= 1 || !material.shares().equals(Material.Shares.EVEN)) {
+        if (sum <= 1 || !material.shares().isEven()) {
             return material;
         }
         return material.withDiffusion(down(material.diffusion() / sum)).withReflection(down(material.reflection() / sum))
