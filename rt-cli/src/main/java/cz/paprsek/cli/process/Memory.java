@@ -1,7 +1,5 @@
 package cz.paprsek.cli.process;
 
-import java.util.Locale;
-
 /** What is said where memory does not suffice. */
 public final class Memory {
     private static final long MIB = 1L << 20;
@@ -30,6 +28,8 @@ public final class Memory {
     }
 
     private static String shown(long bytes) {
-        return bytes < GIB ? (bytes + MIB - 1) / MIB + " MB" : String.format(Locale.ROOT, "%.1f GB", (double) bytes / GIB);
+        // Made before each picture, in case: a formatter would take a hundredth of a second of a process just started.
+        long tenths = Math.round(10.0 * bytes / GIB);
+        return bytes < GIB ? (bytes + MIB - 1) / MIB + " MB" : tenths / 10 + "." + tenths % 10 + " GB";
     }
 }

@@ -23,6 +23,7 @@ import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.shape.placed.Volume;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
@@ -31,14 +32,18 @@ import org.jspecify.annotations.Nullable;
 
 /** Objects on their way into the world, one after the other: each of their primitives gets a number, a finish and a place in the table of parts. */
 final class Placing {
-    /** So many materials without a name are looked for among those that come: where each body has its own, to keep all takes longer than to make them. */
+    /** So many materials without a name are told by which they are: Java takes a sixteenth of a second until it can compare two. */
+    private static final int FEW = 64;
+    /** So many are looked for among those that come: where each body has its own, to keep all takes longer than to make them. */
     private static final int MANY = 4096;
 
     private final Map<String, Material> materials;
     private final Textures textures;
     private final BooleanSupplier stop;
     private final Map<String, Finish> named = new HashMap<>();
-    /** Of materials without a name. */
+    /** Of the first materials without a name. */
+    private final IdentityHashMap<Material, Finish> first = new IdentityHashMap<>();
+    /** Of those behind them. */
     private final Map<Material, Finish> shared = new HashMap<>();
     private final Finish standard;
     private Material lastMaterial = Material.DEFAULT;
@@ -202,17 +207,21 @@ final class Placing {
         return new Finish(material, toWorld.inverse(), textures, true);
     }
 
-    /** Neighbours are mostly of one material: that saves hashing it. */
+    /** Neighbours are mostly of one material: that saves looking for it. */
     @SuppressWarnings("ReferenceEquality")
     private Finish shared(Material material) {
         if (material != lastMaterial) {
-            lastFinish = shared.size() < MANY ? shared.computeIfAbsent(material, this::anywhere) : recurring(material);
+            Finish known = first.get(material);
+            lastFinish = known != null ? known : first.size() < FEW ? first.computeIfAbsent(material, this::anywhere) : equal(material);
             lastMaterial = material;
         }
         return lastFinish;
     }
 
-    private Finish recurring(Material material) {
+    private Finish equal(Material material) {
+        if (shared.size() < MANY) {
+            return shared.computeIfAbsent(material, this::anywhere);
+        }
         Finish known = shared.get(material);
         return known == null ? anywhere(material) : known;
     }
