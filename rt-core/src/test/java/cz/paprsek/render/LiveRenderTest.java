@@ -100,6 +100,20 @@ class LiveRenderTest {
     }
 
     @Test
+    void whatMovesIsRefinedWhenItHasStoodStill() throws Exception {
+        Watcher before = new Watcher();
+        live.show(SCENE, SMALL, before);
+        get(before.last);
+        Watcher moved = new Watcher();
+        long start = System.nanoTime();
+        live.show(SCENE, SMALL, new Watcher());
+        live.show(SCENE.withLights(List.of()), SMALL, moved);
+        get(moved.last);
+        assertThat(System.nanoTime() - start).isGreaterThanOrEqualTo(50_000_000);
+        assertThat(moved.steps).hasSizeGreaterThan(1).endsWith(1);
+    }
+
+    @Test
     void aNewSceneStopsTheRefiningOfTheOldOne() throws Exception {
         Watcher old = new Watcher();
         live.show(SCENE, ENDLESS, old);

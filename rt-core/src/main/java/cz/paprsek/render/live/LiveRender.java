@@ -19,13 +19,18 @@ import org.jspecify.annotations.Nullable;
  * bit. Works on threads of its own; every method returns at once.
  *
  * <p>A new scene stops the refining of the old one. Only the first pass of a scene is always finished, or nothing would be seen as long as a
- * hand keeps moving; it is as coarse as it must be to take some {@value #FIRST_PASS_MILLIS} ms.
+ * hand keeps moving; it is as coarse as it must be to take some {@value #FIRST_PASS_MILLIS} ms, and while scenes follow each other quickly, of few processors
+ * some are left to whoever shows the rest of what the hand does.
  */
 public final class LiveRender implements AutoCloseable {
     private static final int COARSEST = 16;
     private static final double FIRST_PASS_MILLIS = 20;
     /** How much faster, or slower, a first pass must promise to be for its step to change: otherwise it would change to and fro. */
     private static final double SLACK = 1.5;
+    /** What is shown so soon after something else is moved by a hand. */
+    private static final long MOVES_NANOS = 150_000_000;
+    /** While a hand moves, refining begins when it has stood still for so long. */
+    private static final long STILL_NANOS = 50_000_000;
 
     private final int threads;
     /** Kept from pass to pass, with what they work with. */
@@ -40,7 +45,12 @@ public final class LiveRender implements AutoCloseable {
     private @Nullable Assets known;
     private int firstStep = 8;
 
-    private record Request(Scene scene, Assets assets, RenderSettings settings, LiveListener listener) {}
+    /** When something else was shown last, and until when the next first pass waits, both as {@link System#nanoTime}. */
+    private long shown = System.nanoTime() - MOVES_NANOS;
+    private long rests = shown;
+
+    /** @param moves whether it came so soon after another one that more of them are to be expected */
+    private record Request(Scene scene, Assets assets, RenderSettings settings, LiveListener listener, boolean moves) {}
 
     /** @param threads how many workers trace a pass */
     public LiveRender(int threads) {
@@ -66,8 +76,10 @@ public final class LiveRender implements AutoCloseable {
      * @param assets where they come from; as long as these are the same, pictures are read but once
      */
     public synchronized void show(Scene scene, Assets assets, RenderSettings settings, LiveListener listener) {
+        long now = System.nanoTime();
         waiting = new Request(Objects.requireNonNull(scene, "scene"), Objects.requireNonNull(assets, "assets"), Objects.requireNonNull(settings, "settings"),
-                Objects.requireNonNull(listener, "listener"));
+                Objects.requireNonNull(listener, "listener"), now - shown < MOVES_NANOS);
+        shown = now;
         outdated = true;
         notifyAll();
     }
@@ -124,9 +136,9 @@ public final class LiveRender implements AutoCloseable {
 
     private synchronized @Nullable Request take() {
         idle = true;
-        while (waiting == null && !closed) {
+        while (!closed && (waiting == null || (waiting.moves && System.nanoTime() < rests))) {
             try {
-                wait();
+                wait(waiting == null ? 0 : millisUntil(rests));
             } catch (InterruptedException byAListener) {
                 // It is not theirs to end this thread, which others may still wait for; close() does that.
             }
@@ -139,6 +151,26 @@ public final class LiveRender implements AutoCloseable {
         return taken;
     }
 
+    /** A hand that moves has the processors to itself, as far as the first passes leave them, until it stands still. */
+    private synchronized void awaitStill() throws Superseded {
+        while (System.nanoTime() < shown + STILL_NANOS) {
+            if (outdated || stopped || closed) {
+                throw new Superseded();
+            }
+            try {
+                wait(millisUntil(shown + STILL_NANOS));
+            } catch (InterruptedException byAListener) {
+                // The next pass tells.
+                Thread.currentThread().interrupt();
+                return;
+            }
+        }
+    }
+
+    private static long millisUntil(long nanos) {
+        return 1 + Math.max(0, nanos - System.nanoTime()) / 1_000_000;
+    }
+
     private void refine(Request request) throws Superseded {
         RenderMonitor unlessStopped = new RenderMonitor() {
             @Override
@@ -146,6 +178,7 @@ public final class LiveRender implements AutoCloseable {
                 return stopped || closed;
             }
         };
+        long start = System.nanoTime();
         RenderScene scene = prepared(request, unlessStopped);
         ready = scene;
         LivePass pass = LivePass.at(scene, request.settings(), firstStep);
@@ -154,6 +187,12 @@ public final class LiveRender implements AutoCloseable {
         request.listener().painted(pass, result.image(), new Tile(0, 0, result.image().width(), result.image().height()));
         request.listener().completed(pass, result);
         adapt(result);
+        if (request.moves()) {
+            // Of two processors half of one, of many nearly all.
+            long now = System.nanoTime();
+            rests = now + (now - start) / Math.max(1, threads - 1);
+            awaitStill();
+        }
         while (!pass.isLast()) {
             pass = pass.next();
             request.listener().completed(pass, render(pass, threads, new Refinement(pass, request.listener())));

@@ -21,9 +21,11 @@ final class Overlay extends Canvas {
     /** Lies where the picture is, as large as it. */
     void place(double x, double y, double width, double height) {
         relocate(x, y);
-        setWidth(width);
-        setHeight(height);
-        repaint();
+        if (width != getWidth() || height != getHeight()) {
+            setWidth(width);
+            setHeight(height);
+            repaint();
+        }
     }
 
     void repaint() {

@@ -96,13 +96,13 @@ final class PaneMouse {
 
     private void dragged(MouseEvent event) {
         event.consume();
-        point(event);
         if (panning) {
             pane.show(pane.view().panned(event.getX() - lastX, event.getY() - lastY));
         }
         lastX = event.getX();
         lastY = event.getY();
         if (!pressed) {
+            point();
             return;
         }
         if (drag == null && Math.hypot(lastX - pressX, lastY - pressY) > SLACK) {
@@ -274,15 +274,15 @@ final class PaneMouse {
     }
 
     private void moved(MouseEvent event) {
-        point(event);
         lastX = event.getX();
         lastY = event.getY();
+        point();
         Optional<Handle> handle = pane.handleAt(lastX, lastY);
         pane.setHoverCursor(pane.edits().pipette().isActive() ? Cursor.CROSSHAIR : spaceHeld ? Cursor.OPEN_HAND : handle.map(Handle::cursor).orElseGet(() -> cursor(lastX, lastY)));
     }
 
-    private void point(MouseEvent event) {
-        pane.setPointed(Optional.of(pane.axes().vector(pane.view().u(event.getX()), pane.view().v(event.getY()))));
+    private void point() {
+        pane.setPointed(Optional.of(pane.axes().vector(pane.view().u(lastX), pane.view().v(lastY))));
     }
 
     private void scrolled(ScrollEvent event) {
@@ -336,6 +336,7 @@ final class PaneMouse {
 
     private void follow() {
         next.drop();
+        point();
         Drag current = drag;
         if (current == null) {
             return;

@@ -75,7 +75,7 @@ public final class ProjectionPane extends Region {
     private final ReadOnlyObjectWrapper<Optional<Vec3>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
     private Optional<DrawnRays> rays = Optional.empty();
     /** Held here, because what outlives the pane holds it weakly. */
-    private final InvalidationListener onChange = changed -> requestLayout();
+    private final InvalidationListener onChange = changed -> redraw();
     private Viewport view = new Viewport(0, 0, 40, 0, 0);
     /** Whether the whole scene is shown, also when the pane's size changes: until the user looks at something closer. */
     private boolean fits = true;
@@ -178,7 +178,7 @@ public final class ProjectionPane extends Region {
     /** Draws the rays of an explained pixel above everything. */
     public void setRays(Optional<DrawnRays> drawn) {
         rays = drawn;
-        requestLayout();
+        redraw();
     }
 
     /**
@@ -190,7 +190,7 @@ public final class ProjectionPane extends Region {
         onion = Optional.of(skin);
         clock.secondsProperty().addListener(new WeakInvalidationListener(onChange));
         clock.openProperty().addListener(new WeakInvalidationListener(onChange));
-        requestLayout();
+        redraw();
     }
 
     /** Draws the plane that solids are cut by, and what they look like there. */
@@ -244,7 +244,7 @@ public final class ProjectionPane extends Region {
         MaterialDrop.accept(this, edits, event -> picker().at(model.state(), view, event.getX(), event.getY()).stream()
                 .filter(BodyAt.class::isInstance).map(BodyAt.class::cast).findFirst(), body -> {
             highlighted = body;
-            requestLayout();
+            redraw();
         });
     }
 
@@ -271,18 +271,23 @@ public final class ProjectionPane extends Region {
     void show(Viewport fresh) {
         view = fresh;
         fits = false;
-        requestLayout();
+        redraw();
     }
 
     /** @param x where the mouse is, pixels */
     void setDrag(@Nullable Drag value, double x, double y) {
         drag = value;
         mouse = new Point2D(x, y);
-        requestLayout();
+        redraw();
     }
 
     void setPointed(Optional<Vec3> value) {
         pointed.set(value);
+    }
+
+    /** Before the next frame. Its size is that of its place, so that nothing around is laid out for what is drawn. */
+    private void redraw() {
+        setNeedsLayout(true);
     }
 
     /** What can be moved of what is selected. */

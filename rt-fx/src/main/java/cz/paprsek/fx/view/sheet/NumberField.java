@@ -37,6 +37,7 @@ final class NumberField extends TextField implements PropertyEditor {
     private String shown = "";
     private double arrows;
     private boolean isRounded;
+    private boolean isChanging;
 
     /** How a number is written: the property itself, or with others in step. */
     @FunctionalInterface
@@ -87,14 +88,29 @@ final class NumberField extends TextField implements PropertyEditor {
     @Override
     public void show(Scene scene) {
         Optional<Double> now = property.read(scene).map(number -> ((Number) number).doubleValue());
-        setPromptText(now.isEmpty() ? texts.of("sheet.mixed") : "");
+        String prompt = now.isEmpty() ? texts.of("sheet.mixed") : "";
+        if (!prompt.equals(getPromptText())) {
+            setPromptText(prompt);
+        }
         Optional<String> made = edit.formula(property, scene);
         if (!now.equals(value) || !made.equals(formula) || shown.isEmpty()) {
             value = now;
             formula = made;
             pseudoClassStateChanged(MADE, made.isPresent());
             setTooltip(made.map(text -> new Tooltip(TypedFormula.SIGN + text)).orElse(null));
+            isChanging = true;
             reset();
+            isChanging = false;
+        }
+    }
+
+    /** Another number needs no more room, and so has nothing around the field laid out anew. */
+    @Override
+    public void requestLayout() {
+        if (isChanging) {
+            setNeedsLayout(true);
+        } else {
+            super.requestLayout();
         }
     }
 

@@ -18,6 +18,8 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import javafx.animation.Animation;
+import javafx.animation.PauseTransition;
 import javafx.application.Platform;
 import javafx.beans.InvalidationListener;
 import javafx.beans.WeakInvalidationListener;
@@ -30,12 +32,18 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.VBox;
+import javafx.util.Duration;
 
 /**
  * Shows and changes everything about what is selected, or about the scene if nothing is. Made from the components of the records, so that a
  * new kind of shape needs no more than the labels of its components.
  */
 public final class PropertySheet extends BorderPane {
+    /** How long numbers that are dragged stay to be read. */
+    private static final double READ_MILLIS = 80;
+    /** Of the time of a drag, following takes one part of so many at most. */
+    private static final int PART = 8;
+
     private final EditorModel model;
     private final Editors editors;
     private final Titles titles;
@@ -52,6 +60,11 @@ public final class PropertySheet extends BorderPane {
     private final InvalidationListener onTime = property -> showKeys();
     private List<Section> sections = List.of();
     private boolean isStale;
+    /** Until the sheet follows a drag again. */
+    private final PauseTransition rest = new PauseTransition();
+    /** When it last followed, {@link System#nanoTime}, and how long that took. */
+    private long refreshed;
+    private double tookMillis;
     private Runnable onFieldGone = () -> {};
 
     /**
@@ -83,7 +96,10 @@ public final class PropertySheet extends BorderPane {
         UndoKeys.reach(model, this);
         List.of(parameters, materials, ready).forEach(PropertySheet::passOpenTitle);
         addEventFilter(KeyEvent.KEY_PRESSED, this::toTitle);
-        model.stateProperty().addListener(new WeakInvalidationListener(onChange));
+        rest.setOnFinished(event -> refresh());
+        WeakInvalidationListener weakly = new WeakInvalidationListener(onChange);
+        model.stateProperty().addListener(weakly);
+        model.gesturingProperty().addListener(weakly);
         WeakInvalidationListener weak = new WeakInvalidationListener(onTime);
         clock.secondsProperty().addListener(weak);
         clock.openProperty().addListener(weak);
@@ -103,15 +119,26 @@ public final class PropertySheet extends BorderPane {
         onFieldGone = listener;
     }
 
-    /** Once for all that changes before the window is drawn anew. */
+    /** Once for all that changes before the window is drawn anew; while something is dragged, as often as the eye reads numbers, and the drag is not held up. */
     private void later() {
-        if (!isStale) {
-            isStale = true;
+        boolean isDragged = model.gesturingProperty().get() && !isFocusWithin();
+        if (isStale && (isDragged || rest.getStatus() != Animation.Status.RUNNING)) {
+            return;
+        }
+        isStale = true;
+        double millis = isDragged ? Math.max(READ_MILLIS, PART * tookMillis) - (System.nanoTime() - refreshed) / 1e6 : 0;
+        rest.stop();
+        if (millis > 0) {
+            rest.setDuration(Duration.millis(millis));
+            rest.playFromStart();
+        } else {
             Platform.runLater(this::refresh);
         }
     }
 
     private void refresh() {
+        long start = System.nanoTime();
+        rest.stop();
         isStale = false;
         EditorState state = model.state();
         List<Section> now = Sections.of(state);
@@ -124,6 +151,8 @@ public final class PropertySheet extends BorderPane {
         materials.show(state.scene());
         parameters.show(state.scene());
         makers.show(state.selection());
+        refreshed = System.nanoTime();
+        tookMillis = (refreshed - start) / 1e6;
     }
 
     private void showKeys() {

@@ -12,11 +12,15 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 
 /** The line at the bottom of the window: what happened last, where the mouse is in the world, what is selected. */
 public final class StatusBar extends HBox {
+    /** More than where the mouse is takes, pixels. */
+    private static final double ROOM = 300;
+
     private final Label message = label("status-message");
     private final Button warnings = new Button("", new FontIcon(MaterialDesignA.ALERT_OUTLINE));
     private final Label cursor = label("status-cursor");
     private final Label selection = label("status-selection");
     private final Label render = label("status-render");
+    private boolean isPointing;
 
     public StatusBar() {
         setId("status-bar");
@@ -63,7 +67,19 @@ public final class StatusBar extends HBox {
     }
 
     public void showCursor(String text) {
+        isPointing = message.prefWidth(-1) + ROOM < message.getWidth();
         cursor.setText(text);
+        isPointing = false;
+    }
+
+    /** Where the mouse is changes with each movement, and has only this line laid out anew as long as the message has one line anyway. */
+    @Override
+    public void requestLayout() {
+        if (isPointing) {
+            setNeedsLayout(true);
+        } else {
+            super.requestLayout();
+        }
     }
 
     public void showSelection(String text) {

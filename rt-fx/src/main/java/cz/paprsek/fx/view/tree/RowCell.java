@@ -24,6 +24,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** Draws a line of the tree: an arrow if it has operands, its icon, its name, its lock and its eye. */
@@ -52,6 +53,13 @@ final class RowCell extends ListCell<TreeRow> {
     private final StackPane eye = part(eyeIcon, "row-eye");
     private final RenameField rename;
     private final InvalidationListener onChange = property -> restyle();
+    /** As it has been styled; each change of the scene asks. */
+    private @Nullable Look look;
+
+    /** What tells a line from others, besides what stands in it. */
+    private record Look(boolean chosen, boolean looking, boolean hidden, boolean locked, boolean dimmed, Optional<Role> role, Optional<Drop.Where> drop, boolean renamed) {
+        static final Look NONE = new Look(false, false, false, false, false, Optional.empty(), Optional.empty(), false);
+    }
 
     RowCell(EditorModel model, TreeState tree, Texts texts) {
         this.model = model;
@@ -95,6 +103,7 @@ final class RowCell extends ListCell<TreeRow> {
             }
             hint();
         }
+        look = null;
         restyle();
     }
 
@@ -112,35 +121,42 @@ final class RowCell extends ListCell<TreeRow> {
 
     private void restyle() {
         TreeRow row = getItem();
-        boolean shown = row != null && !isEmpty();
-        EditorState state = model.state();
-        pseudoClassStateChanged(SELECTED, shown && state.selection().contains(row.item()));
-        if (shown && row.item() instanceof CameraAt camera) {
-            icon.setIconLiteral(camera.index() == state.eye() ? Icons.LOOKING : Icons.CAMERA);
+        Look now = row == null || isEmpty() ? Look.NONE : look(row);
+        if (now.equals(look)) {
+            return;
         }
-        boolean hidden = shown && state.isHidden(row.item());
-        boolean locked = shown && state.isLocked(row.item());
-        pseudoClassStateChanged(DIMMED, hidden || (shown && row.item() instanceof BodyAt at && at.way().anyMatch(around -> around.find(state.scene()).filter(Body::hidden).isPresent())));
-        Optional<Role> role = shown && row.item() instanceof BodyAt at && at.isIn(state.scene()) ? Arranging.role(state.scene(), at) : Optional.empty();
+        look = now;
+        pseudoClassStateChanged(SELECTED, now.chosen);
+        if (row != null && row.item() instanceof CameraAt) {
+            icon.setIconLiteral(now.looking ? Icons.LOOKING : Icons.CAMERA);
+        }
+        pseudoClassStateChanged(DIMMED, now.dimmed);
         for (Role each : Role.values()) {
-            pseudoClassStateChanged(PseudoClass.getPseudoClass(each.name().toLowerCase(Locale.ROOT)), role.equals(Optional.of(each)));
+            pseudoClassStateChanged(PseudoClass.getPseudoClass(each.name().toLowerCase(Locale.ROOT)), now.role.equals(Optional.of(each)));
         }
-        toggled(eye, eyeIcon, hidden, "mdi2e-eye-off-outline", "mdi2e-eye-outline");
-        toggled(lock, lockIcon, locked, "mdi2l-lock-outline", "mdi2l-lock-open-variant-outline");
+        toggled(eye, eyeIcon, now.hidden, "mdi2e-eye-off-outline", "mdi2e-eye-outline");
+        toggled(lock, lockIcon, now.locked, "mdi2l-lock-outline", "mdi2l-lock-open-variant-outline");
         makeRoom();
         for (Drop.Where where : Drop.Where.values()) {
-            pseudoClassStateChanged(where.pseudoClass(), shown && tree.dropProperty().get()
-                    .filter(drop -> drop.row().item().equals(row.item()) && drop.where() == where).isPresent());
+            pseudoClassStateChanged(where.pseudoClass(), now.drop.equals(Optional.of(where)));
         }
-        boolean renamed = shown && tree.renamedProperty().get().equals(Optional.of(row.item()));
-        Node shownName = renamed ? rename : name;
+        Node shownName = now.renamed ? rename : name;
         if (box.getChildren().get(2) != shownName) {
             box.getChildren().set(2, shownName);
             HBox.setHgrow(rename, Priority.ALWAYS);
-            if (renamed) {
+            if (now.renamed && row != null) {
                 rename.begin(row);
             }
         }
+    }
+
+    private Look look(TreeRow row) {
+        EditorState state = model.state();
+        boolean hidden = state.isHidden(row.item());
+        boolean dimmed = hidden || (row.item() instanceof BodyAt at && at.way().anyMatch(around -> around.find(state.scene()).filter(Body::hidden).isPresent()));
+        return new Look(state.selection().contains(row.item()), row.item() instanceof CameraAt camera && camera.index() == state.eye(), hidden, state.isLocked(row.item()), dimmed,
+                row.item() instanceof BodyAt at && at.isIn(state.scene()) ? Arranging.role(state.scene(), at) : Optional.empty(),
+                tree.dropProperty().get().filter(drop -> drop.row().item().equals(row.item())).map(Drop::where), tree.renamedProperty().get().equals(Optional.of(row.item())));
     }
 
     private static void toggled(StackPane button, FontIcon icon, boolean on, String onLiteral, String offLiteral) {

@@ -25,6 +25,7 @@ import java.util.stream.IntStream;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.scene.image.WritableImage;
+import javafx.scene.layout.StackPane;
 import org.junit.jupiter.api.Test;
 
 /** What is drawn, and painted, anew while one ball of a thousand is dragged in a pane of 400 × 300, seen from the front. */
@@ -52,6 +53,18 @@ class LayersTest {
             double area = of("selected", LayersTest::area);
             assertThat(area).isBetween(1000.0, 400 * 300 / 6.0);
             assertThat(of("grabbed", LayersTest::area)).isEqualTo(area);
+        }
+    }
+
+    @Test
+    void nothingAroundIsLaidOutForWhatIsDrawn() {
+        StackPane around = Gui.on(() -> new StackPane(pane));
+        try (Gui gui = Gui.show(() -> around, 400, 300)) {
+            gui.pulse();
+            assertThat(Gui.on(() -> {
+                model.select(ScenePath.body(444));
+                return pane.isNeedsLayout() + " " + around.isNeedsLayout();
+            })).isEqualTo("true false");
         }
     }
 

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Gesture;
+import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Inherited;
@@ -23,6 +25,7 @@ import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Sphere;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.event.ActionEvent;
 import javafx.scene.Node;
@@ -103,6 +106,30 @@ class PropertySheetTest {
         gui.keys(KeyCode.ESCAPE);
         assertThat(shown("#shape-radius")).isEqualTo("0.5");
         gui.until("nothing is refused any more", () -> gui.stage().getScene().getRoot().lookupAll(".refusal").stream().noneMatch(Node::isVisible));
+    }
+
+    /** The sheet itself must not be laid out for each digit that changes while something is dragged. */
+    @Test
+    void anotherNumberHasNothingAroundItsFieldLaidOutAnew() {
+        NumberField field = (NumberField) gui.node("#shape-radius");
+        gui.pulse();
+        assertThat(Gui.on(() -> {
+            field.show(START.withObjects(List.of(SceneObject.of(new Sphere(7.25)))));
+            return field.getText() + " " + field.isNeedsLayout() + " " + field.getParent().isNeedsLayout();
+        })).isEqualTo("7.25 true false");
+    }
+
+    @Test
+    void numbersFollowADragAndAreRightAtItsEnd() {
+        Gesture drag = Gui.on(() -> model.begin(cz.paprsek.fx.model.Label.of(cz.paprsek.fx.model.Label.Edit.MOVE)));
+        gui.act(() -> drag.preview(scene -> Moves.translated(scene, model.selection(), new Vec3(2.5, 0, 0))));
+        gui.until("the field follows", () -> ((TextField) gui.node("#placement-position-x")).getText().equals("2.5"));
+        gui.act(() -> {
+            IntStream.rangeClosed(1, 50).forEach(i -> drag.preview(scene -> Moves.translated(scene, model.selection(), new Vec3(0.5 * i, 0, 0))));
+            drag.commit();
+        });
+        gui.pulse();
+        assertThat(shown("#placement-position-x")).isEqualTo("25");
     }
 
     @Test
