@@ -75,6 +75,13 @@ class ManyObjectsTest {
         assertThat(materials).hasSize(3);
     }
 
+    /** As long as what is read by one thread. */
+    @Test
+    void thereMayBeAnyNumberOfBlanksBetweenTwo() throws Exception {
+        String text = HEAD + object(0, "").repeat(1 << 14) + " ".repeat(1 << 18) + object(0, "").repeat(COUNT) + "</scene>";
+        assertThat(SceneFiles.parse(text).objects()).hasSize((1 << 14) + COUNT);
+    }
+
     @Test
     void whatIsWrongWithALateOneIsToldWithItsLine() {
         assertThatExceptionOfType(SceneFileException.class).isThrownBy(() -> SceneFiles.parse(text("\n  ", "", 90_000, "\n<sphere radius='-1'/>")))

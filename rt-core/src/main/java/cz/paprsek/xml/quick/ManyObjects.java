@@ -82,7 +82,7 @@ final class ManyObjects {
         return end < text.length;
     }
 
-    /** How long blanks and start of tag are that come next; 0 for what is none. */
+    /** How long blanks and start of tag are that come next; 0 for what is none, or as long as a block. */
     private int startLength() {
         int at = 0;
         while (at < end && Markup.isBlank(text[at])) {
@@ -92,7 +92,7 @@ final class ManyObjects {
         while (name < end && Markup.isOfName(text[name])) {
             name++;
         }
-        return name < end && text[at] == '<' && name > at + 1 ? name : 0;
+        return name < Math.min(end, BLOCK) && text[at] == '<' && name > at + 1 ? name : 0;
     }
 
     /** Where blocks begin and end: before what looks like the start, each behind as many bytes as a block has, or more. */
