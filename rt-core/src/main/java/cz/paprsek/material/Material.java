@@ -5,6 +5,7 @@ import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -130,10 +131,12 @@ public record Material(
         return !shares.isEven() && Described.values(shares).get(attribute) instanceof ByPattern by ? Optional.of(by) : Optional.empty();
     }
 
-    /** Of what mostly differs. */
+    /** Of all that may have thousands of values, without the method Java makes of records. */
     @Override
     public int hashCode() {
-        return 31 * (31 * (31 * (31 * pattern.hashCode() + Double.hashCode(diffusion)) + Double.hashCode(specular)) + Double.hashCode(reflection)) + Double.hashCode(transparency);
+        double[] numbers = {diffusion, specular, shininess, reflection, transparency, refractiveIndex, roughness, attenuationDistance, emissionStrength};
+        int colors = 31 * (31 * (pattern instanceof Pattern.Plain plain ? plain.color() : pattern).hashCode() + attenuationColor.hashCode()) + emission.hashCode();
+        return 31 * (31 * (31 * Arrays.hashCode(numbers) + colors) + (shares.isEven() ? 0 : shares.hashCode())) + (relief instanceof Flat ? 0 : relief.hashCode());
     }
 
     /** The names of the pictures it needs. */

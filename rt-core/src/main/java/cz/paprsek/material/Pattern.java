@@ -42,11 +42,6 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
         }
 
         @Override
-        public int hashCode() {
-            return color.hashCode();
-        }
-
-        @Override
         public List<Rgb> palette() {
             return List.of(color);
         }
