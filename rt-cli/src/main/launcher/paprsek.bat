@@ -56,7 +56,7 @@ goto word
 if not defined scene exit /b 1
 rem A pattern may be many files.
 for %%f in ("%scene%") do if not "%%~f"=="%scene%" exit /b 1
-for %%f in ("%scene%") do if %%~zf gtr 4000000 exit /b 1
+for %%f in ("%scene%") do if %%~zf gtr 200000000 exit /b 1
 findstr /r /c:"<scene[ >]" "%scene%" > nul 2> nul || exit /b 1
 findstr /r /c:"<database" /c:"<include" /c:"<instance" /c:"<repeat" /c:"<mesh" /c:"<text" /c:"<isosurface" /c:"<height-field" /c:"<area-light" /c:"<sphere-light" /c:"<sky" /c:"<roughness" /c:"samples=.[^1]" /c:"samples=.1[0-9.]" /c:"width=.[^0-9]" /c:"height=.[^0-9]" /c:"integrator=.p" /c:"integrator= " /c:"aperture=" /c:"angle=" /c:"shutter=" /c:"error=" /c:" =" "%scene%" > nul && exit /b 1
 if defined size goto sized

@@ -69,6 +69,9 @@ class BatchScriptTest {
         Matcher elements = Pattern.compile("'<\\(([a-z|-]+)\\)\\(\\[").matcher(other);
         assertThat(elements.find()).isTrue();
         assertThat(script()).contains("/c:\"<" + elements.group(1).replace("|", "\" /c:\"<") + "\"");
+        Matcher longest = Pattern.compile("wc -c < \"\\$scene\"\\)\" -le (\\d+) ]").matcher(other);
+        assertThat(longest.find()).isTrue();
+        assertThat(script()).contains("(\"%scene%\") do if %%~zf gtr " + longest.group(1) + " exit /b 1");
     }
 
     /** Labels are not found by Windows in files whose lines end otherwise. */

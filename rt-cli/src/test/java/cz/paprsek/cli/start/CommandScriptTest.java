@@ -181,6 +181,15 @@ class CommandScriptTest extends StartScript {
         assertThat(Files.readAllLines(log).get(Files.readAllLines(log).size() - 2)).as("two pictures").doesNotContain("TieredStopAtLevel");
     }
 
+    /** Many bodies are placed sooner than methods are compiled well; what stands for more work is found behind them, too. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void aLongFileIsLookedThrough(boolean isQuick) throws Exception {
+        Path scene = Files.writeString(folder.resolve("s.xml"), "<scene xmlns='urn:paprsek:scene:1'>" + "<sphere/>\n".repeat(1_000_000) + (isQuick ? "" : "<mesh file='m.stl'/>") + "</scene>");
+        assertThat(call("render", scene.toString())).isEqualTo(7);
+        assertThat(Files.readString(log).contains("-XX:TieredStopAtLevel=1")).isEqualTo(isQuick);
+    }
+
     @Test
     void whatCannotBeReadOrSaidIsNoMatterOfTheScript() throws Exception {
         Path secret = Files.createFile(folder.resolve("secret.xml"), PosixFilePermissions.asFileAttribute(Set.of()));
