@@ -27,8 +27,19 @@ final class Bodies {
 
     static Scene of(Scene scene, Collection<BodyAt> places, BiFunction<BodyAt, Body, Body> change) {
         Map<Integer, List<BodyAt>> byObject = new HashMap<>();
-        places.forEach(at -> byObject.computeIfAbsent(at.numbers().get(0), object -> new ArrayList<>()).add(at));
         Map<Integer, SceneObject> changes = new HashMap<>();
+        boolean areObjects = places.stream().allMatch(at -> at.depth() == 0);
+        places.forEach(at -> {
+            if (areObjects && at.isIn(scene)) {
+                Body old = at.in(scene);
+                Body fresh = change.apply(at, old);
+                if (!fresh.equals(old)) {
+                    changes.put(at.index(), fresh.toObject());
+                }
+            } else if (!areObjects) {
+                byObject.computeIfAbsent(at.numbers().get(0), object -> new ArrayList<>()).add(at);
+            }
+        });
         for (Map.Entry<Integer, List<BodyAt>> entry : byObject.entrySet()) {
             BodyAt at = ScenePath.body(entry.getKey());
             if (at.isIn(scene)) {

@@ -119,7 +119,7 @@ public sealed interface ScenePath {
 
         @Override
         public boolean isIn(Scene scene) {
-            return find(scene).isPresent();
+            return depth() == 0 ? index() >= 0 && index() < scene.objects().size() : find(scene).isPresent();
         }
 
         /** How many operations are around it: 0 for an object of the scene. */

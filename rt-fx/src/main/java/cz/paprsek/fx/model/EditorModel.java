@@ -175,7 +175,7 @@ public final class EditorModel {
     public void select(Set<? extends ScenePath> items) {
         EditorState now = state();
         EditorState next = original(now.withSelection(items));
-        if (!List.copyOf(next.selection()).equals(List.copyOf(now.selection()))) {
+        if (!isSame(next.selection(), now.selection())) {
             show(next);
         }
     }
@@ -295,7 +295,7 @@ public final class EditorModel {
     /** Sets all properties, the state first, from which the methods above answer: whoever hears of any change finds all of it. */
     void show(EditorState shown) {
         EditorState next = original(shown);
-        boolean selectsOthers = !List.copyOf(next.selection()).equals(List.copyOf(selection.get()));
+        boolean selectsOthers = !isSame(next.selection(), selection.get());
         state.set(next);
         history.tell();
         unsaved.set(!next.scene().equals(saved) || !next.typed().equals(savedText));
@@ -303,6 +303,12 @@ public final class EditorModel {
         if (selectsOthers) {
             selection.set(next.selection());
         }
+    }
+
+    /** In the same order, too. What is only moved is the very same. */
+    @SuppressWarnings("ReferenceEquality")
+    private static boolean isSame(Set<ScenePath> one, Set<ScenePath> other) {
+        return one == other || List.copyOf(one).equals(List.copyOf(other));
     }
 
     /** With the first in place of any copy that is selected. */

@@ -6,8 +6,11 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
 import cz.paprsek.xml.OriginalText;
+import java.util.AbstractSet;
 import java.util.Collections;
+import java.util.Iterator;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
@@ -42,7 +45,8 @@ public record EditorState(Scene scene, Set<ScenePath> selection, Set<ScenePath> 
     }
 
     public EditorState withSelection(Set<? extends ScenePath> value) {
-        return new EditorState(scene, new LinkedHashSet<>(value), hidden, locked, typed, eye);
+        Set<ScenePath> items = value instanceof Chosen known ? known : new LinkedHashSet<>(value);
+        return new EditorState(scene, items, hidden, locked, typed, eye);
     }
 
     public EditorState withHidden(Set<ScenePath> value) {
@@ -99,9 +103,49 @@ public record EditorState(Scene scene, Set<ScenePath> selection, Set<ScenePath> 
     }
 
     private static Set<ScenePath> existing(Scene scene, Set<ScenePath> items) {
+        if (items instanceof Chosen known && known.isIn(scene)) {
+            return known;
+        }
         Set<ScenePath> kept = new LinkedHashSet<>(items);
         kept.removeIf(item -> !item.isIn(scene));
-        return Collections.unmodifiableSet(kept);
+        return new Chosen(kept);
+    }
+
+    /** Places in an order, never changed: of one movement after another the very same, which for ten thousand of them is neither copied nor looked through. */
+    private static final class Chosen extends AbstractSet<ScenePath> {
+        private final Set<ScenePath> items;
+        /** Objects that a scene must have at least. */
+        private final int objects;
+        private final List<ScenePath> others;
+
+        Chosen(Set<ScenePath> items) {
+            this.items = Collections.unmodifiableSet(items);
+            objects = 1 + items.stream().filter(Chosen::isObject).mapToInt(item -> ((BodyAt) item).index()).max().orElse(-1);
+            others = items.stream().filter(item -> !isObject(item)).toList();
+        }
+
+        private static boolean isObject(ScenePath item) {
+            return item instanceof BodyAt body && body.depth() == 0 && body.index() >= 0;
+        }
+
+        boolean isIn(Scene scene) {
+            return scene.objects().size() >= objects && others.stream().allMatch(item -> item.isIn(scene));
+        }
+
+        @Override
+        public boolean contains(Object item) {
+            return items.contains(item);
+        }
+
+        @Override
+        public Iterator<ScenePath> iterator() {
+            return items.iterator();
+        }
+
+        @Override
+        public int size() {
+            return items.size();
+        }
     }
 
     private static Set<ScenePath> moved(Set<ScenePath> items, Function<ScenePath, Optional<ScenePath>> place) {

@@ -14,8 +14,12 @@ public final class Places {
 
     /** The objects and operands that are not within others of these places, in order. */
     public static List<BodyAt> outermost(Collection<? extends ScenePath> places) {
+        List<BodyAt> bodies = bodies(places);
+        if (bodies.stream().allMatch(body -> body.depth() == 0)) {
+            return bodies;
+        }
         Set<ScenePath> all = Set.copyOf(places);
-        return bodies(places).stream().filter(body -> body.way().limit(body.depth()).noneMatch(all::contains)).toList();
+        return bodies.stream().filter(body -> body.way().limit(body.depth()).noneMatch(all::contains)).toList();
     }
 
     /** The objects and operands, in order. */

@@ -48,6 +48,18 @@ class EditorModelTest {
         assertThat(model.redoableProperty().get()).isEmpty();
     }
 
+    /** Ten thousand places are neither copied nor compared for each movement, and go with what they lead to. */
+    @Test
+    void whatIsSelectedIsTheVerySameWhileItIsDragged() {
+        model.select(ScenePath.body(1), ScenePath.body(0), ScenePath.light(0));
+        Set<ScenePath> selection = model.selection();
+        Gesture drag = model.begin(Label.of(Edit.MOVE));
+        drag.preview(scene -> Moves.translated(scene, selection, Vec3.X));
+        assertThat(model.selection()).isSameAs(selection).containsExactly(ScenePath.body(1), ScenePath.body(0), ScenePath.light(0));
+        drag.preview(scene -> scene.withLights(List.of()).withObjects(scene.objects().subList(0, 1)));
+        assertThat(model.selection()).containsExactly(ScenePath.body(0));
+    }
+
     @Test
     void undoTellsWhatItWouldUndo() {
         model.edit(ADD_LIGHT, scene -> scene.plus(Light.at(1, 2, 3)));

@@ -128,6 +128,9 @@ public final class Contact {
     }
 
     private Gaps across(Axis axis, Vec3 before) {
+        if (others.isEmpty()) {
+            return new Gaps(before, box, List.of());
+        }
         List<Gap> found = new ArrayList<>();
         Moved moved = Moved.along(axis, own, before);
         Bounds there = box.isEmpty() || before.equals(Vec3.ZERO) ? box : Bounds.around(box.middle().plus(before), box.middle().minus(new Vec3(box.minX(), box.minY(), box.minZ())));

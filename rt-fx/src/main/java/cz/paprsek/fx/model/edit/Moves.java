@@ -73,9 +73,9 @@ public final class Moves {
         Scene result = scene;
         Map<BodyAt, Affine> spaces = new HashMap<>();
         List<BodyAt> bodies = Places.outermost(items);
-        bodies.forEach(at -> spaces.put(at, at.parentToWorld(scene)));
+        bodies.stream().filter(at -> at.depth() > 0).forEach(at -> spaces.put(at, at.parentToWorld(scene)));
         result = result.with(bodies, (at, body) ->
-                body.placed(replacing.apply(spaces.getOrDefault(at, Affine.IDENTITY), body.placement())));
+                body.placed(replacing.apply(at.depth() == 0 ? Affine.IDENTITY : spaces.getOrDefault(at, Affine.IDENTITY), body.placement())));
         List<LightAt> lights = Places.lights(items);
         if (!lights.isEmpty()) {
             List<Light> moved = new ArrayList<>(scene.lights());

@@ -27,7 +27,12 @@ final class Records {
 
     /** The component of the given name; empty if the record has none. */
     static Optional<RecordComponent> component(Class<?> type, String name) {
-        return components(type).stream().filter(component -> component.getName().equals(name)).findFirst();
+        for (RecordComponent component : components(type)) {
+            if (component.getName().equals(name)) {
+                return Optional.of(component);
+            }
+        }
+        return Optional.empty();
     }
 
     /** The value of a component. */

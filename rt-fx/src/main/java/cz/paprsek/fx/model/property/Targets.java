@@ -13,11 +13,13 @@ import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
 import cz.paprsek.scene.ScenePath.LightAt;
 import cz.paprsek.scene.ScenePath.MaterialAt;
+import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.RandomAccess;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Function;
@@ -37,7 +39,7 @@ final class Targets {
     record BodiesAt(List<BodyAt> places) implements Target {
         @Override
         public List<Body> read(Scene scene) {
-            return places.stream().flatMap(at -> at.find(scene).stream()).toList();
+            return places.stream().allMatch(at -> at.isIn(scene)) ? new Bodies(places, scene) : places.stream().flatMap(at -> at.find(scene).stream()).toList();
         }
 
         @Override
@@ -48,6 +50,27 @@ final class Targets {
         @Override
         public Scene change(Scene scene, UnaryOperator<Record> change) {
             return renamed(scene, still -> still.with(places, (at, body) -> Pivots.kept(still, at, body, (Body) change.apply(body))));
+        }
+    }
+
+    /** Made one by one: whoever asks what many have in common mostly knows after two. */
+    private static final class Bodies extends AbstractList<Body> implements RandomAccess {
+        private final List<BodyAt> places;
+        private final Scene scene;
+
+        Bodies(List<BodyAt> places, Scene scene) {
+            this.places = places;
+            this.scene = scene;
+        }
+
+        @Override
+        public Body get(int index) {
+            return places.get(index).in(scene);
+        }
+
+        @Override
+        public int size() {
+            return places.size();
         }
     }
 

@@ -33,6 +33,11 @@ record Box(double minU, double minV, double maxU, double maxV) {
         return new Box(Math.min(minU, other.minU), Math.min(minV, other.minV), Math.max(maxU, other.maxU), Math.max(maxV, other.maxV));
     }
 
+    /** The same elsewhere. */
+    Box moved(double u, double v) {
+        return new Box(minU + u, minV + v, maxU + u, maxV + v);
+    }
+
     Box with(double u, double v) {
         return new Box(Math.min(minU, u), Math.min(minV, v), Math.max(maxU, u), Math.max(maxV, v));
     }

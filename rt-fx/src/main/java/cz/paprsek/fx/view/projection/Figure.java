@@ -91,8 +91,7 @@ record Figure(List<double[]> lines, double byU, double byV, List<Figure> operand
 
     /** The same elsewhere. */
     Figure moved(double u, double v) {
-        return new Figure(lines, byU + u, byV + v, operands.stream().map(operand -> operand.moved(u, v)).toList(), ghost,
-                new Box(box.minU() + u, box.minV() + v, box.maxU() + u, box.maxV() + v));
+        return new Figure(lines, byU + u, byV + v, operands.stream().map(operand -> operand.moved(u, v)).toList(), ghost, box.moved(u, v));
     }
 
     /** The figure of what is at the end of a path below this one. */

@@ -16,6 +16,7 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 
@@ -31,6 +32,8 @@ final class Figures {
     /** Those of them that are drawn as they are while a hand moves them. */
     private final Set<SceneObject> moving = Collections.newSetFromMap(new IdentityHashMap<>());
     private Scene scene = Scene.EMPTY;
+    /** Of whose objects figures are known: an earlier one while a hand moves things and nobody has asked for the figure of one. */
+    private Scene followed = Scene.EMPTY;
     private boolean isMoved;
 
     Figures(Axes axes) {
@@ -44,19 +47,31 @@ final class Figures {
             moving.clear();
         }
         isMoved = changing;
-        if (fresh.objects().size() == scene.objects().size()) {
-            // What still stands somewhere else is drawn anew when it is asked for.
-            Arrays.stream(scene.objectsOtherThanIn(fresh)).forEach(i -> follow(scene.objects().get(i), fresh.objects().get(i)));
-        } else {
-            known.keySet().retainAll(identities(fresh.objects()));
-        }
         scene = fresh;
+        if (!changing) {
+            follow();
+        }
+    }
+
+    @SuppressWarnings("ReferenceEquality")
+    private void follow() {
+        Scene old = followed;
+        if (old == scene) {
+            return;
+        }
+        followed = scene;
+        if (old.objects().size() == scene.objects().size()) {
+            // What still stands somewhere else is drawn anew when it is asked for.
+            Arrays.stream(old.objectsOtherThanIn(scene)).forEach(i -> follow(old.objects().get(i), scene.objects().get(i)));
+        } else {
+            known.keySet().retainAll(identities(scene.objects()));
+        }
     }
 
     /** What a hand only moves keeps its lines. */
     private void follow(SceneObject old, SceneObject now) {
         Figure figure = known.remove(old);
-        if (figure != null && isMoved && old.shape() == now.shape() && now.placement().equals(old.placement().withPosition(now.placement().position())) && old.hidden() == now.hidden()) {
+        if (figure != null && isMoved && isMoved(old, now)) {
             Vec3 by = now.placement().position().minus(old.placement().position());
             known.put(now, figure.moved(axes.u(by), axes.v(by)));
             moving.remove(old);
@@ -87,6 +102,7 @@ final class Figures {
     }
 
     Figure of(SceneObject object) {
+        follow();
         return known.computeIfAbsent(object, this::drawn);
     }
 
@@ -106,18 +122,33 @@ final class Figures {
         return of(scene.objects().get(at.numbers().get(0))).at(at.numbers().subList(1, at.numbers().size()));
     }
 
-    /** Of many bodies, their figures, to be shown elsewhere as they are; none if they are few, or one has operands or no end. */
-    List<Figure> ofMany(Set<ScenePath> items) {
-        List<Figure> all = items.size() <= FEW ? List.of() : items.stream().filter(BodyAt.class::isInstance).map(item -> of((BodyAt) item)).toList();
-        return all.stream().allMatch(figure -> figure.operands().isEmpty() && !figure.box().isEmpty()) && Places.bodies(items).stream().allMatch(at -> at.depth() == 0) ? all : List.of();
+    /** Whether bodies are so many, neither with operands nor without end, that they are drawn once and then shown elsewhere. */
+    boolean areMany(List<BodyAt> bodies) {
+        return bodies.size() > FEW && bodies.stream().allMatch(at -> at.depth() == 0 && of(at).operands().isEmpty() && !of(at).box().isEmpty());
     }
 
-    /** Whether figures are the others, all moved as the first is, to a small error. */
+    /** By how much objects have been moved since another scene, if all of them by as much, to a small error, and nothing else is otherwise. */
+    Optional<Vec3> movedSince(Scene before, List<BodyAt> bodies, double error) {
+        Optional<Vec3> first = Optional.empty();
+        for (BodyAt at : bodies) {
+            int i = at.index();
+            if (i >= Math.min(scene.objects().size(), before.objects().size()) || !isMoved(before.objects().get(i), scene.objects().get(i))) {
+                return Optional.empty();
+            }
+            Vec3 by = scene.objects().get(i).placement().position().minus(before.objects().get(i).placement().position());
+            if (first.filter(other -> Math.abs(axes.u(by.minus(other))) >= error || Math.abs(axes.v(by.minus(other))) >= error).isPresent()) {
+                return Optional.empty();
+            }
+            first = first.or(() -> Optional.of(by));
+        }
+        return first;
+    }
+
+    /** Whether it is but somewhere else. */
     @SuppressWarnings("ReferenceEquality")
-    static boolean areMoved(List<Figure> before, List<Figure> now, double error) {
-        return !now.isEmpty() && before.size() == now.size() && IntStream.range(0, now.size()).allMatch(i -> now.get(i).lines() == before.get(i).lines()
-                && Math.abs(now.get(i).byU() - before.get(i).byU() - now.get(0).byU() + before.get(0).byU()) < error
-                && Math.abs(now.get(i).byV() - before.get(i).byV() - now.get(0).byV() + before.get(0).byV()) < error);
+    private static boolean isMoved(SceneObject old, SceneObject now) {
+        return old.shape() == now.shape() && old.hidden() == now.hidden()
+                && now.placement().rotation().equals(old.placement().rotation()) && now.placement().scale().equals(old.placement().scale());
     }
 
     /** Whether all that is drawn of items when they are selected lies within their boxes, but for what they are grabbed by; of many it may, and is not looked for. */

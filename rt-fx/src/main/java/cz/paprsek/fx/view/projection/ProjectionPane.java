@@ -10,6 +10,7 @@ import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
 import cz.paprsek.fx.view.look.Layer;
+import cz.paprsek.fx.view.look.OwnLayout;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.motion.OnionSkin;
 import cz.paprsek.fx.view.projection.Grips.Grip;
@@ -24,12 +25,12 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javafx.beans.InvalidationListener;
@@ -59,6 +60,14 @@ public final class ProjectionPane extends Region {
     /** All on which the lowest layer depends, besides the objects. What a gesture changes is drawn above, and apart from the rest. */
     private record Look(Viewport view, Theme theme, Set<ScenePath> apart, Set<ScenePath> hidden) {}
 
+    /**
+     * Many bodies that a hand holds, as they have been drawn, all in sight: where they are only moved, all of the layer is.
+     *
+     * @param others what is selected besides
+     * @param box around the bodies
+     */
+    private record Held(Scene scene, Set<ScenePath> selection, List<BodyAt> bodies, List<ScenePath> others, Viewport view, Box box) {}
+
     private final Edits edits;
     private final EditorModel model;
     private final Texts texts;
@@ -80,9 +89,10 @@ public final class ProjectionPane extends Region {
     /** Whether the whole scene is shown, also when the pane's size changes: until the user looks at something closer. */
     private boolean fits = true;
     private int openings;
-    /** Many things that a hand holds, as they have been drawn: where they are only moved, all of the layer is. */
-    private List<Figure> held = List.of();
-    private Viewport heldView = view;
+    private @Nullable Held held;
+    /** The box of the handles, and of what state. */
+    private Box handles = Box.EMPTY;
+    private @Nullable EditorState handled;
     private @Nullable Look drawnLook;
     private Scene drawn = Scene.EMPTY;
     private @Nullable Drag drag;
@@ -287,14 +297,17 @@ public final class ProjectionPane extends Region {
 
     /** Before the next frame. Its size is that of its place, so that nothing around is laid out for what is drawn. */
     private void redraw() {
-        setNeedsLayout(true);
+        if (OwnLayout.suffices(this)) {
+            setNeedsLayout(true);
+        } else {
+            requestLayout();
+        }
     }
 
     /** What can be moved of what is selected. */
     Set<ScenePath> movable() {
-        Set<ScenePath> items = new HashSet<>(model.selection());
-        items.removeIf(model.state()::isLocked);
-        return items;
+        EditorState state = model.state();
+        return state.locked().isEmpty() ? state.selection() : state.selection().stream().filter(item -> !state.isLocked(item)).collect(Collectors.toSet());
     }
 
     /** What is grabbed to change the selected cameras, and a light that is the only thing selected. */
@@ -306,11 +319,21 @@ public final class ProjectionPane extends Region {
     }
 
     /** The box of the handles; empty if there is nothing to resize. */
+    @SuppressWarnings("ReferenceEquality")
     Box handleBox() {
+        EditorState state = model.state();
+        if (state != handled) {
+            handled = state;
+            handles = handleBox(figures());
+        }
+        return handles;
+    }
+
+    private Box handleBox(Figures shown) {
         Set<ScenePath> items = movable();
-        boolean hasSize = !Places.bodies(items).isEmpty() || Places.lights(items).stream().filter(light -> light.isIn(model.scene()))
+        boolean hasSize = items.stream().anyMatch(BodyAt.class::isInstance) || Places.lights(items).stream().filter(light -> light.isIn(model.scene()))
                 .anyMatch(light -> !LightSketch.of(model.scene().lights().get(light.index()), axes).extent().isEmpty());
-        return hasSize ? figures().box(items) : Box.EMPTY;
+        return hasSize ? shown.box(items) : Box.EMPTY;
     }
 
     /** What the handles of an empty or invisible box cannot do. */
@@ -342,7 +365,7 @@ public final class ProjectionPane extends Region {
             view = view.fitting(figures.boxOfAll(model.state()));
         }
         EditorState state = model.state();
-        Set<ScenePath> apart = model.gesturingProperty().get() ? Set.copyOf(state.selection()) : Set.of();
+        Set<ScenePath> apart = model.gesturingProperty().get() ? state.selection() : Set.of();
         Look look = new Look(view, theme(), apart, state.hidden());
         if (!look.equals(drawnLook) || !figures.isLike(drawn, apart)) {
             rest.draw(new Object(), g -> {
@@ -357,14 +380,22 @@ public final class ProjectionPane extends Region {
 
     private void draw(EditorState state) {
         Painter painter = new Painter(selected.getGraphicsContext2D(), view, axes, theme().palette());
-        List<Figure> many = drag != null || model.gesturingProperty().get() ? figures.ofMany(state.selection()) : List.of();
-        boolean isMoved = view.equals(heldView) && Figures.areMoved(held, many, MISSED / view.scale());
-        selected.setTranslateX(isMoved ? (many.get(0).byU() - held.get(0).byU()) * view.scale() : 0);
-        selected.setTranslateY(isMoved ? (held.get(0).byV() - many.get(0).byV()) * view.scale() : 0);
-        boolean isWhole = section.filter(SectionSkin::isSeen).isEmpty() && onion.filter(OnionSkin::isSeen).isEmpty() && highlighted.isEmpty() && view.contains(figures.box(state.selection()));
-        if (!isMoved) {
-            held = isWhole ? many : List.of();
-            heldView = view;
+        boolean isAlone = section.filter(SectionSkin::isSeen).isEmpty() && onion.filter(OnionSkin::isSeen).isEmpty() && highlighted.isEmpty();
+        boolean isInHand = isAlone && (drag != null || model.gesturingProperty().get());
+        Held before = held;
+        Optional<Vec3> moved = isInHand && before != null && view.equals(before.view) && state.selection().equals(before.selection)
+                ? figures.movedSince(before.scene, before.bodies, MISSED / view.scale()) : Optional.empty();
+        double byU = moved.map(axes::u).orElse(0.0);
+        double byV = moved.map(axes::v).orElse(0.0);
+        selected.setTranslateX(byU * view.scale());
+        selected.setTranslateY(-byV * view.scale());
+        Box box = before != null && moved.isPresent() ? before.box.moved(byU, byV).union(figures.box(before.others)) : figures.box(state.selection());
+        if (moved.isPresent() && state.locked().isEmpty()) {
+            handled = state;
+            handles = box;
+        }
+        if (moved.isEmpty()) {
+            held = isInHand ? held(state) : null;
             selected.draw(new Object(), g -> {
                 section.ifPresent(skin -> skin.draw(g, theme().palette(), axes.along(), this::toPane));
                 section.filter(skin -> skin.isHeld() && drag == null).flatMap(skin -> skin.line(axes.along())).ifPresent(line ->
@@ -379,10 +410,9 @@ public final class ProjectionPane extends Region {
                 }
             });
         }
-        Box handles = handleBox();
+        Box grabs = handleBox();
         List<Grip> grips = grips();
-        Box box = figures.box(state.selection());
-        painter.avoid(state, handles, grips);
+        painter.avoid(state, grabs, grips);
         Painter above = painter.on(grabbed.getGraphicsContext2D());
         // Before the names of cameras, which may be many.
         Runnable name = !box.isEmpty() && view.shows(box) ? above.name(PathNames.of(state.scene(), state.selection(), texts), box) : () -> {};
@@ -394,7 +424,7 @@ public final class ProjectionPane extends Region {
         grabbed.draw(new Object(), g -> {
             if (!state.selection().isEmpty()) {
                 above.selectedLights(state);
-                above.handles(handles, true);
+                above.handles(grabs, true);
                 name.run();
                 above.grips(grips);
             }
@@ -405,14 +435,21 @@ public final class ProjectionPane extends Region {
             }
         });
         List<Bounds> parts = new ArrayList<>(above.taken().subList(painter.taken().size(), above.taken().size()));
-        Stream.concat(Stream.of(box, handles), grips.stream().map(grip -> Box.EMPTY.with(axes.u(grip.place()), axes.v(grip.place()))))
+        Stream.concat(Stream.of(box, grabs), grips.stream().map(grip -> Box.EMPTY.with(axes.u(grip.place()), axes.v(grip.place()))))
                 .filter(known -> !known.isEmpty()).forEach(known -> parts.add(view.of(known, AIR)));
         if (drag != null) {
             parts.add(Plate.besides(view, drag.figures(texts.locale()), mouse));
         }
-        boolean isAnywhere = highlighted.isPresent() || rays.isPresent() || section.filter(SectionSkin::isSeen).isPresent() || onion.filter(OnionSkin::isSeen).isPresent()
-                || (drag != null && drag.isWide()) || !figures.areWithinBoxes(state.selection());
-        List.of(selected, grabbed).forEach(layer -> layer.showOnly(isAnywhere ? getLayoutBounds() : view.around(parts)));
+        Bounds part = held != null || figures.areWithinBoxes(state.selection()) ? view.around(parts) : getLayoutBounds();
+        selected.showOnly(held != null ? view.of(held.box, AIR) : isAlone ? part : getLayoutBounds());
+        grabbed.showOnly(rays.isPresent() || (drag != null && drag.isWide()) ? getLayoutBounds() : part);
+    }
+
+    private @Nullable Held held(EditorState state) {
+        List<BodyAt> bodies = Places.bodies(state.selection());
+        Box box = figures.areMany(bodies) ? figures.box(bodies) : Box.EMPTY;
+        return box.isEmpty() || !view.contains(box) ? null
+                : new Held(state.scene(), state.selection(), bodies, state.selection().stream().filter(item -> !(item instanceof BodyAt)).toList(), view, box);
     }
 
     private Segment segment(Vec3 from, Vec3 to) {

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.sheet;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.model.property.Trait;
 import cz.paprsek.fx.model.property.TypedFormula;
+import cz.paprsek.fx.view.look.OwnLayout;
 import cz.paprsek.fx.view.texts.FirstClick;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
@@ -107,7 +108,7 @@ final class NumberField extends TextField implements PropertyEditor {
     /** Another number needs no more room, and so has nothing around the field laid out anew. */
     @Override
     public void requestLayout() {
-        if (isChanging) {
+        if (isChanging && OwnLayout.suffices(this)) {
             setNeedsLayout(true);
         } else {
             super.requestLayout();

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.shell;
 
+import cz.paprsek.fx.view.look.OwnLayout;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
 import javafx.scene.control.Button;
@@ -75,7 +76,7 @@ public final class StatusBar extends HBox {
     /** Where the mouse is changes with each movement, and has only this line laid out anew as long as the message has one line anyway. */
     @Override
     public void requestLayout() {
-        if (isPointing) {
+        if (isPointing && OwnLayout.suffices(this)) {
             setNeedsLayout(true);
         } else {
             super.requestLayout();

@@ -26,6 +26,9 @@ public final class Measures {
     public static String of(EditorState state, Texts texts) {
         Scene scene = state.scene();
         String name = PathNames.of(scene, state.selection(), texts);
+        if (state.selection().size() > 3) {
+            return name;
+        }
         List<ScenePath> items = List.copyOf(state.selection());
         if (items.size() == 2) {
             double apart = place(scene, items.get(0)).minus(place(scene, items.get(1))).length();

@@ -6,6 +6,8 @@ import cz.paprsek.fx.view.command.MaterialDrop;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
@@ -16,6 +18,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import javafx.application.Platform;
 import javafx.beans.value.ChangeListener;
 import javafx.beans.value.WeakChangeListener;
@@ -148,8 +151,17 @@ public final class ObjectTree extends BorderPane {
 
     /** Whether nothing but numbers differs, as while something is dragged. */
     private static boolean hasSameLines(Scene scene, Scene other) {
-        return scene.cameras().equals(other.cameras()) && scene.lights().equals(other.lights()) && scene.objects().size() == other.objects().size()
+        return names(scene.cameras(), Camera::name).equals(names(other.cameras(), Camera::name)) && names(scene.lights(), ObjectTree::line).equals(names(other.lights(), ObjectTree::line))
+                && scene.objects().size() == other.objects().size()
                 && Arrays.stream(scene.objectsOtherThanIn(other)).allMatch(i -> hasSameLine(scene.objects().get(i), other.objects().get(i)));
+    }
+
+    private static <T> List<String> names(List<T> things, Function<T, String> name) {
+        return things.stream().map(name).toList();
+    }
+
+    private static String line(Light light) {
+        return light.getClass().getName() + " " + light.name();
     }
 
     private static boolean hasSameLine(SceneObject object, SceneObject other) {

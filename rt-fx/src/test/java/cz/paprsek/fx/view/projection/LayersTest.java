@@ -13,6 +13,7 @@ import cz.paprsek.fx.view.look.Layer;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
@@ -22,6 +23,7 @@ import java.util.Locale;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.scene.image.WritableImage;
@@ -34,7 +36,7 @@ class LayersTest {
     private static final List<String> NAMES = List.of("rest", "selected", "signs", "grabbed");
 
     private final EditorModel model = new EditorModel(Scene.EMPTY.withObjects(IntStream.range(0, 1000)
-            .mapToObj(i -> SceneObject.of(new Sphere(0.3)).at(i % 10, i / 10 % 10, -Math.floorDiv(i, 100))).toList()));
+            .mapToObj(i -> SceneObject.of(new Sphere(0.3)).at(i % 10, i / 10 % 10, -Math.floorDiv(i, 100))).toList()).plus(Light.at(5, 5, 5)));
     private final ProjectionPane pane = Gui.on(() -> new ProjectionPane(new Edits(model, Texts.in(Locale.ENGLISH)), Axes.FRONT, new SimpleObjectProperty<>(Theme.LIGHT),
             new SimpleBooleanProperty(true), new SimpleBooleanProperty(true)));
 
@@ -68,6 +70,26 @@ class LayersTest {
         }
     }
 
+    /** As when panes are resized: JavaFX then does not look below what it has not been led to. */
+    @Test
+    void whatIsDrawnIsSeenAlsoBelowWhatAsksForALayoutInTheMiddleOfOne() {
+        StackPane around = Gui.on(() -> new StackPane(pane));
+        StackPane whole = Gui.on(() -> new StackPane(around) {
+            @Override
+            protected void layoutChildren() {
+                super.layoutChildren();
+                around.requestLayout();
+            }
+        });
+        try (Gui gui = Gui.show(() -> whole, 400, 300)) {
+            gui.pulse();
+            int before = of("selected", Layer::drawings);
+            gui.act(() -> model.select(ScenePath.body(444)));
+            gui.pulse();
+            assertThat(of("selected", Layer::drawings)).isGreaterThan(before);
+        }
+    }
+
     @Test
     void aDragLeavesThePictureOfWhatIsOpenedThere() {
         try (Gui gui = Gui.show(() -> pane, 400, 300)) {
@@ -92,7 +114,7 @@ class LayersTest {
     @Test
     void allThatIsDraggedIsDrawnOnceAndMoved() {
         try (Gui gui = Gui.show(() -> pane, 400, 300)) {
-            gui.act(() -> model.select(IntStream.range(0, 1000).mapToObj(ScenePath::body).collect(Collectors.toSet())));
+            gui.act(() -> model.select(Stream.concat(Stream.of(ScenePath.light(0)), IntStream.range(0, 1000).mapToObj(ScenePath::body)).collect(Collectors.toSet())));
             Gesture drag = Gui.on(() -> model.begin(Label.of(Label.Edit.MOVE)));
             gui.pulse();
             int before = of("selected", Layer::drawings);
