@@ -52,9 +52,10 @@ public final class BenchCommand implements Callable<Integer> {
             return this == mitsuba ? BenchScenes.mitsubasNames() : BenchScenes.standardNames();
         }
 
-        private void check(String name) {
+        /** @param option that chose the scene */
+        private void check(String name, String option) {
             if (this == mitsuba ? !BenchScenes.mitsubasNames().contains(name) : BenchScenes.pathNames().contains(name)) {
-                throw new WrongUsage("--against " + this + " does not go with --scene " + name + ": "
+                throw new WrongUsage("--against " + this + " does not go with " + option + ": "
                         + (this == mitsuba ? "it is for " + String.join(", ", names()) : "POV-Ray follows no paths; --against mitsuba does"));
             }
         }
@@ -106,7 +107,7 @@ public final class BenchCommand implements Callable<Integer> {
         if (against.isPresent() && jar.isPresent()) {
             throw new WrongUsage("--against and --against-jar: compare with one at a time");
         }
-        against.ifPresent(opponent -> names.forEach(opponent::check));
+        against.ifPresent(opponent -> measured().forEach(name -> opponent.check(name, names.isEmpty() ? "--scale" : "--scene " + name)));
         try {
             measure();
             return ExitCode.DONE;
@@ -144,13 +145,13 @@ public final class BenchCommand implements Callable<Integer> {
         report.begin("Java " + Runtime.version() + ", " + Renderer.kernel() + ", " + threads + (threads == 1 ? " thread" : " threads")
                 + rival.map(one -> ", against " + one.version()).orElse(""));
         Benchmark benchmark = new Benchmark(stop, size, threads, rounds, rival);
-        for (String name : names.isEmpty() ? usualNames() : names) {
+        for (String name : measured()) {
             report.add(benchmark.run(name));
         }
     }
 
-    private Collection<String> usualNames() {
-        return scale ? BenchScenes.growingNames() : against.map(Opponent::names).orElse(BenchScenes.standardNames());
+    private Collection<String> measured() {
+        return !names.isEmpty() ? names : scale ? BenchScenes.growingNames() : against.map(Opponent::names).orElse(BenchScenes.standardNames());
     }
 
     private static void requireWithin(String option, int value, int most) {

@@ -77,6 +77,7 @@ class MitsubaTest {
     @Test
     void eachIsAskedForWhatItRenders() {
         assertThat(Run.cli("bench", "--against", "mitsuba", "--scene", "box,few").err()).contains("--against mitsuba does not go with --scene few: it is for box, interior1M, ring1M");
+        assertThat(Run.cli("bench", "--against", "mitsuba", "--scale").err()).contains("--against mitsuba does not go with --scale: it is for box, interior1M, ring1M");
         Run paths = Run.cli("bench", "--against", "povray", "--scene", "interior1M");
         assertThat(paths.err()).contains("--against povray does not go with --scene interior1M: POV-Ray follows no paths; --against mitsuba does");
         assertThat(paths.code()).isEqualTo(ExitCode.WRONG_USAGE);
