@@ -30,6 +30,11 @@ public abstract class Kernel {
         return Optional.empty();
     }
 
+    /** What passes by triangles, if it is faster so. */
+    Optional<Sieve> sieve() {
+        return Optional.empty();
+    }
+
     abstract String name();
 
     abstract Tree tree(BinaryNodes nodes);

@@ -21,6 +21,11 @@ final class WideKernel extends Kernel {
     }
 
     @Override
+    Optional<Sieve> sieve() {
+        return Optional.of(new WideSieve());
+    }
+
+    @Override
     String name() {
         return "vectors of " + WideTree.WIDTH + " floats";
     }

@@ -2,6 +2,7 @@ package cz.paprsek.shape.mesh;
 
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.tree.Sieve;
 import cz.paprsek.tree.Tree;
 import cz.paprsek.tree.TreeBuilder;
 import java.util.Arrays;
@@ -24,18 +25,19 @@ final class Facets {
     /** What it takes to meet a triangle, in units of what a sphere takes, as measured: with 1, vectors meet a tenth fewer shadow rays in a second. */
     private static final float COST = 2;
 
-    /** How many numbers a triangle takes among {@link #corners}, and among those of {@link #own}. */
+    /** How many numbers a triangle takes among {@link #corners}. */
     static final int EACH = 4;
-    static final int EACH_OWN = 10;
 
     final double[] places;
     /** In the order of the tree's leaves: the corners of each triangle, as where their coordinates begin, and its number. Empty if there are {@link #own}. */
     final int[] corners;
     /**
-     * In the order of the tree's leaves: x y z of the three corners of each triangle, and its number as bits, where all coordinates are floats, as in most files; else empty. A ray that
+     * In the order of the tree's leaves: x of the three corners of each triangle, then y, z, and its number as bits, where all coordinates are floats, as in most files; else empty. A ray that
      * goes where none has been before waits for memory once a leaf, rather than for the corners, their places and the number in turn.
      */
     final float[] own;
+    /** What passes by some of those. */
+    final Sieve sieve;
     final Tree tree;
     private final int count;
     /** Whether any triangle is so thin that rounding may tell where it is crossed. */
@@ -58,12 +60,13 @@ final class Facets {
         Arrays.fill(cost, COST);
         // Building puts the numbers into the order of the leaves.
         tree = new TreeBuilder((t, to, at) -> putBox(vertices, t, to, at), numbers, cost, stop).buildWhole();
+        sieve = Sieve.suitedTo(count, COST);
         boolean areFloats = Arrays.stream(places).allMatch(x -> x == (float) x);
-        own = new float[areFloats ? EACH_OWN * count : 0];
+        own = new float[areFloats ? Sieve.EACH * count + Sieve.BEHIND : 0];
         corners = new int[areFloats ? 0 : EACH * count];
         for (int i = 0; i < count; i++) {
             if (areFloats) {
-                own[EACH_OWN * i + 9] = Float.intBitsToFloat(numbers[i]);
+                own[Sieve.EACH * i + 9] = Float.intBitsToFloat(numbers[i]);
             } else {
                 corners[EACH * i + 3] = numbers[i];
             }
@@ -71,7 +74,7 @@ final class Facets {
                 int at = 3 * vertices[3 * numbers[i] + k];
                 if (areFloats) {
                     for (int axis = 0; axis < 3; axis++) {
-                        own[EACH_OWN * i + 3 * k + axis] = (float) places[at + axis];
+                        own[Sieve.EACH * i + 3 * axis + k] = (float) places[at + axis];
                     }
                 } else {
                     corners[EACH * i + k] = at;
@@ -83,7 +86,7 @@ final class Facets {
 
     /** The number of the triangle at a place in the order of the leaves. */
     int number(int place) {
-        return own.length > 0 ? Float.floatToRawIntBits(own[EACH_OWN * place + 9]) : corners[EACH * place + 3];
+        return own.length > 0 ? Float.floatToRawIntBits(own[Sieve.EACH * place + 9]) : corners[EACH * place + 3];
     }
 
     /**
@@ -129,7 +132,7 @@ final class Facets {
     }
 
     private double place(int place, int corner, int axis) {
-        return own.length > 0 ? own[EACH_OWN * place + 3 * corner + axis] : places[corners[EACH * place + corner] + axis];
+        return own.length > 0 ? own[Sieve.EACH * place + 3 * axis + corner] : places[corners[EACH * place + corner] + axis];
     }
 
     /** Whether a place in the order of the leaves, any number, is that of a triangle. */
@@ -139,7 +142,7 @@ final class Facets {
 
     /** The {@linkplain Measures#product normal} of the triangle at a place, as its corners give it. */
     Vec3 product(int place) {
-        return own.length > 0 ? Measures.product(own, EACH_OWN * place) : Measures.product(places, corners[EACH * place], corners[EACH * place + 1], corners[EACH * place + 2]);
+        return own.length > 0 ? Measures.product(own, Sieve.EACH * place) : Measures.product(places, corners[EACH * place], corners[EACH * place + 1], corners[EACH * place + 2]);
     }
 
     private void putBox(int[] vertices, int triangle, double[] to, int at) {

@@ -26,9 +26,9 @@ final class Measures {
     /** The same of corners that are floats, one after the other. */
     static Vec3 product(float[] at, int a) {
         double x = at[a];
-        double y = at[a + 1];
-        double z = at[a + 2];
-        return product(at[a + 3] - x, at[a + 4] - y, at[a + 5] - z, at[a + 6] - x, at[a + 7] - y, at[a + 8] - z);
+        double y = at[a + 3];
+        double z = at[a + 6];
+        return product(at[a + 1] - x, at[a + 4] - y, at[a + 7] - z, at[a + 2] - x, at[a + 5] - y, at[a + 8] - z);
     }
 
     private static Vec3 product(double ux, double uy, double uz, double vx, double vy, double vz) {

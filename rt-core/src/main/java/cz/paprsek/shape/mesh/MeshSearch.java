@@ -5,6 +5,7 @@ import cz.paprsek.math.Bounds;
 import cz.paprsek.ray.Line;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.tree.Search;
+import cz.paprsek.tree.Sieve;
 import java.util.Arrays;
 
 /**
@@ -252,11 +253,15 @@ final class MeshSearch extends Search<Ray> {
         double py = atY;
         double pz = atZ;
         if (own.length > 0) {
-            for (int i = first; i < last; i++) {
-                int a = Facets.EACH_OWN * i;
-                int b = a + 3;
-                int c = a + 6;
-                note(i, crossing(own[a + x], own[a + y], own[a + z], own[b + x], own[b + y], own[b + z], own[c + x], own[c + y], own[c + z], px, py, pz, sx, sy));
+            int ofX = 3 * x;
+            int ofY = 3 * y;
+            int ofZ = 3 * z;
+            Sieve sieve = facets.sieve;
+            for (int i = sieve.next(own, first, last, ofX, ofY, ofZ, px, py, pz, sx, sy); i < last; i = sieve.next(own, i + 1, last, ofX, ofY, ofZ, px, py, pz, sx, sy)) {
+                int atX = Sieve.EACH * i + ofX;
+                int atY = Sieve.EACH * i + ofY;
+                int atZ = Sieve.EACH * i + ofZ;
+                note(i, crossing(own[atX], own[atY], own[atZ], own[atX + 1], own[atY + 1], own[atZ + 1], own[atX + 2], own[atY + 2], own[atZ + 2], px, py, pz, sx, sy));
             }
             return;
         }

@@ -15,6 +15,7 @@ import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Volume;
+import cz.paprsek.tree.Sieve;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -205,7 +206,7 @@ class CrossingTest {
         }
         for (Triangles mesh : new Triangles[] {whole, Triangles.of(places, corners)}) {
             Facets facets = new Facets(mesh, () -> false);
-            assertThat(facets.own.length + facets.corners.length).isEqualTo((mesh.equals(whole) ? 4 : 10) * mesh.count());
+            assertThat(facets.own.length + facets.corners.length).isEqualTo(mesh.equals(whole) ? Facets.EACH * mesh.count() : Sieve.EACH * mesh.count() + Sieve.BEHIND);
             Volume volume = place(mesh, Affine.IDENTITY);
             MeshPart part = new MeshPart(0, mesh, facets, Affine.IDENTITY);
             SplittableRandom random = new SplittableRandom(4);
