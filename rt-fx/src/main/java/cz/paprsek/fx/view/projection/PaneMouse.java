@@ -186,7 +186,7 @@ final class PaneMouse {
         }
         if (pressedOn.isEmpty()) {
             Set<ScenePath> before = event.isShiftDown() ? model.selection() : Set.of();
-            return new BandDrag(model, pane.picker(), pane.view(), before, pane.theme().palette().selected(), pressX, pressY);
+            return new Drag.Band(model, pane.picker(), pane.view(), before, pane.theme().palette().selected(), pressX, pressY);
         }
         if (pressedOn.stream().noneMatch(model.selection()::contains)) {
             model.select(pressedOn.get(0));

@@ -1,45 +1,35 @@
 package cz.paprsek.fx.view.projection;
 
-import cz.paprsek.drawing.Segment;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Rounds;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
-import cz.paprsek.fx.view.look.Layer;
 import cz.paprsek.fx.view.look.OwnLayout;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.motion.OnionSkin;
 import cz.paprsek.fx.view.projection.Grips.Grip;
 import cz.paprsek.fx.view.rays.DrawnRays;
-import cz.paprsek.fx.view.rays.RayPainter;
 import cz.paprsek.fx.view.section.SectionSkin;
-import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import javafx.beans.InvalidationListener;
 import javafx.beans.WeakInvalidationListener;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.value.ObservableValue;
-import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.Cursor;
 import javafx.scene.control.ContextMenu;
@@ -47,27 +37,8 @@ import javafx.scene.layout.Region;
 import javafx.scene.shape.Rectangle;
 import org.jspecify.annotations.Nullable;
 
-/**
- * The scene seen along an axis, without perspective. What is selected, the signs of cameras, and handles are drawn on layers of their own above that of the
- * rest, so that selecting and dragging among ten thousand objects need not draw them all anew.
- */
+/** The scene seen along an axis, without perspective, as {@link PaneLayers} draw it. */
 public final class ProjectionPane extends Region {
-    /** About a selection's box, so that it holds all handles, pixels. */
-    private static final double AIR = 36;
-    /** By how much a line may be elsewhere while it is dragged, pixels. */
-    private static final double MISSED = 0.01;
-
-    /** All on which the lowest layer depends, besides the objects. What a gesture changes is drawn above, and apart from the rest. */
-    private record Look(Viewport view, Theme theme, Set<ScenePath> apart, Set<ScenePath> hidden) {}
-
-    /**
-     * Many bodies that a hand holds, as they have been drawn, all in sight: where they are only moved, all of the layer is.
-     *
-     * @param others what is selected besides
-     * @param box around the bodies
-     */
-    private record Held(Scene scene, Set<ScenePath> selection, List<BodyAt> bodies, List<ScenePath> others, Viewport view, Box box) {}
-
     private final Edits edits;
     private final EditorModel model;
     private final Texts texts;
@@ -75,32 +46,17 @@ public final class ProjectionPane extends Region {
     private final ObservableValue<Theme> theme;
     private final BooleanProperty snapping;
     private final BooleanProperty proportional;
-    private final Layer rest = new Layer("rest");
-    private final Layer selected = new Layer("selected");
-    private final Layer signs = new Layer("signs");
-    private final Layer grabbed = new Layer("grabbed");
     private final Figures figures;
     private final Picker picker;
+    private final PaneLayers layers;
     private final ReadOnlyObjectWrapper<Optional<Vec3>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
-    private Optional<DrawnRays> rays = Optional.empty();
     /** Held here, because what outlives the pane holds it weakly. */
     private final InvalidationListener onChange = changed -> redraw();
     private Viewport view = new Viewport(0, 0, 40, 0, 0);
     /** Whether the whole scene is shown, also when the pane's size changes: until the user looks at something closer. */
     private boolean fits = true;
     private int openings;
-    private @Nullable Held held;
-    /** The box of the handles, and of what state. */
-    private Box handles = Box.EMPTY;
-    private @Nullable EditorState handled;
-    private @Nullable Look drawnLook;
-    private Scene drawn = Scene.EMPTY;
-    private @Nullable Drag drag;
-    private Point2D mouse = Point2D.ZERO;
     private Optional<ContextMenu> menu = Optional.empty();
-    private Optional<BodyAt> highlighted = Optional.empty();
-    private Optional<OnionSkin> onion = Optional.empty();
-    private Optional<SectionSkin> section = Optional.empty();
 
     /**
      * @param snapping whether drags keep to the grid and to other objects
@@ -116,11 +72,12 @@ public final class ProjectionPane extends Region {
         this.proportional = proportional;
         this.figures = new Figures(axes);
         this.picker = new Picker(axes, figures);
+        this.layers = new PaneLayers(this, figures);
         figures.show(model.scene(), model.gesturingProperty().get());
         setFocusTraversable(true);
         setMinSize(0, 0);
         getStyleClass().add("projection");
-        getChildren().addAll(rest, selected, signs, grabbed);
+        getChildren().addAll(layers.all());
         Rectangle clip = new Rectangle();
         clip.widthProperty().bind(widthProperty());
         clip.heightProperty().bind(heightProperty());
@@ -187,7 +144,7 @@ public final class ProjectionPane extends Region {
 
     /** Draws the rays of an explained pixel above everything. */
     public void setRays(Optional<DrawnRays> drawn) {
-        rays = drawn;
+        layers.rays = drawn;
         redraw();
     }
 
@@ -197,7 +154,7 @@ public final class ProjectionPane extends Region {
      * @param skin of this clock and the same model; other projections may draw it too
      */
     public void follow(Clock clock, OnionSkin skin) {
-        onion = Optional.of(skin);
+        layers.onion = Optional.of(skin);
         clock.secondsProperty().addListener(new WeakInvalidationListener(onChange));
         clock.openProperty().addListener(new WeakInvalidationListener(onChange));
         redraw();
@@ -205,13 +162,13 @@ public final class ProjectionPane extends Region {
 
     /** Draws the plane that solids are cut by, and what they look like there. */
     public void cutBy(SectionSkin skin) {
-        section = Optional.of(skin);
+        layers.section = Optional.of(skin);
         skin.follow(onChange);
     }
 
     /** The plane that solids are cut by, if there may be one. */
     Optional<SectionSkin> section() {
-        return section;
+        return layers.section;
     }
 
     /** Which tell what is refused. */
@@ -253,7 +210,7 @@ public final class ProjectionPane extends Region {
     public void acceptMaterials() {
         MaterialDrop.accept(this, edits, event -> picker().at(model.state(), view, event.getX(), event.getY()).stream()
                 .filter(BodyAt.class::isInstance).map(BodyAt.class::cast).findFirst(), body -> {
-            highlighted = body;
+            layers.highlighted = body;
             redraw();
         });
     }
@@ -286,8 +243,8 @@ public final class ProjectionPane extends Region {
 
     /** @param x where the mouse is, pixels */
     void setDrag(@Nullable Drag value, double x, double y) {
-        drag = value;
-        mouse = new Point2D(x, y);
+        layers.drag = value;
+        layers.mouse = new Point2D(x, y);
         redraw();
     }
 
@@ -319,21 +276,8 @@ public final class ProjectionPane extends Region {
     }
 
     /** The box of the handles; empty if there is nothing to resize. */
-    @SuppressWarnings("ReferenceEquality")
     Box handleBox() {
-        EditorState state = model.state();
-        if (state != handled) {
-            handled = state;
-            handles = handleBox(figures());
-        }
-        return handles;
-    }
-
-    private Box handleBox(Figures shown) {
-        Set<ScenePath> items = movable();
-        boolean hasSize = items.stream().anyMatch(BodyAt.class::isInstance) || Places.lights(items).stream().filter(light -> light.isIn(model.scene()))
-                .anyMatch(light -> !LightSketch.of(model.scene().lights().get(light.index()), axes).extent().isEmpty());
-        return hasSize ? shown.box(items) : Box.EMPTY;
+        return layers.handleBox();
     }
 
     /** What the handles of an empty or invisible box cannot do. */
@@ -354,7 +298,7 @@ public final class ProjectionPane extends Region {
         if (width <= 0 || height <= 0) {
             return;
         }
-        List.of(rest, selected, signs, grabbed).forEach(layer -> layer.setSize(width, height));
+        layers.setSize(width, height);
         boolean otherSize = view.width() != width || view.height() != height;
         view = view.withSize(width, height);
         figures.show(model.scene(), model.gesturingProperty().get());
@@ -364,95 +308,7 @@ public final class ProjectionPane extends Region {
         if (fits && (otherSize || opened)) {
             view = view.fitting(figures.boxOfAll(model.state()));
         }
-        EditorState state = model.state();
-        Set<ScenePath> apart = model.gesturingProperty().get() ? state.selection() : Set.of();
-        Look look = new Look(view, theme(), apart, state.hidden());
-        if (!look.equals(drawnLook) || !figures.isLike(drawn, apart)) {
-            rest.draw(new Object(), g -> {
-                Grid.draw(g, view, axes, theme().palette());
-                new Painter(g, view, axes, theme().palette()).rest(state.hidden(), apart, figures);
-            });
-            drawnLook = look;
-            drawn = state.scene();
-        }
-        draw(state);
+        layers.draw();
     }
 
-    private void draw(EditorState state) {
-        Painter painter = new Painter(selected.getGraphicsContext2D(), view, axes, theme().palette());
-        boolean isAlone = section.filter(SectionSkin::isSeen).isEmpty() && onion.filter(OnionSkin::isSeen).isEmpty() && highlighted.isEmpty();
-        boolean isInHand = isAlone && (drag != null || model.gesturingProperty().get());
-        Held before = held;
-        Optional<Vec3> moved = isInHand && before != null && view.equals(before.view) && state.selection().equals(before.selection)
-                ? figures.movedSince(before.scene, before.bodies, MISSED / view.scale()) : Optional.empty();
-        double byU = moved.map(axes::u).orElse(0.0);
-        double byV = moved.map(axes::v).orElse(0.0);
-        selected.setTranslateX(byU * view.scale());
-        selected.setTranslateY(-byV * view.scale());
-        Box box = before != null && moved.isPresent() ? before.box.moved(byU, byV).union(figures.box(before.others)) : figures.box(state.selection());
-        if (moved.isPresent() && state.locked().isEmpty()) {
-            handled = state;
-            handles = box;
-        }
-        if (moved.isEmpty()) {
-            held = isInHand ? held(state) : null;
-            selected.draw(new Object(), g -> {
-                section.ifPresent(skin -> skin.draw(g, theme().palette(), axes.along(), this::toPane));
-                section.filter(skin -> skin.isHeld() && drag == null).flatMap(skin -> skin.line(axes.along())).ifPresent(line ->
-                        Plate.beside(g, view, Drag.Cutting.figures(line, view, texts.locale()), toPane(Drag.Cutting.middle(line, axes, view)), theme().palette()));
-                onion.ifPresent(skin -> {
-                    skin.passing((object, isSelected) -> painter.moment(figures.passing(object), isSelected));
-                    skin.ways(g, theme().palette(), this::toPane);
-                });
-                highlighted.filter(body -> body.isIn(state.scene())).ifPresent(body -> painter.highlighted(figures.of(body)));
-                if (!state.selection().isEmpty()) {
-                    painter.selected(state, figures);
-                }
-            });
-        }
-        Box grabs = handleBox();
-        List<Grip> grips = grips();
-        painter.avoid(state, grabs, grips);
-        Painter above = painter.on(grabbed.getGraphicsContext2D());
-        // Before the names of cameras, which may be many.
-        Runnable name = !box.isEmpty() && view.shows(box) ? above.name(PathNames.of(state.scene(), state.selection(), texts), box) : () -> {};
-        List<CameraSketch> cameras = IntStream.range(0, state.scene().cameras().size()).mapToObj(i -> CameraSketch.of(state.scene(), i)).toList();
-        signs.draw(List.of(view, theme(), state.hidden(), state.eye(), cameras, Places.cameras(state.selection()), cameras.size() > 1 ? List.of(above.taken(), state.scene().cameras()) : 1), g -> {
-            Grid.numbers(g, view, axes, theme().palette(), texts.locale());
-            above.on(g).cameras(state, cameras, texts);
-        });
-        grabbed.draw(new Object(), g -> {
-            if (!state.selection().isEmpty()) {
-                above.selectedLights(state);
-                above.handles(grabs, true);
-                name.run();
-                above.grips(grips);
-            }
-            rays.ifPresent(RayPainter.on(g, theme(), (from, to) -> List.of(segment(from, to)))::draw);
-            if (drag != null) {
-                drag.draw(g);
-                Plate.beside(g, view, drag.figures(texts.locale()), mouse, theme().palette());
-            }
-        });
-        List<Bounds> parts = new ArrayList<>(above.taken().subList(painter.taken().size(), above.taken().size()));
-        Stream.concat(Stream.of(box, grabs), grips.stream().map(grip -> Box.EMPTY.with(axes.u(grip.place()), axes.v(grip.place()))))
-                .filter(known -> !known.isEmpty()).forEach(known -> parts.add(view.of(known, AIR)));
-        if (drag != null) {
-            parts.add(Plate.besides(view, drag.figures(texts.locale()), mouse));
-        }
-        Bounds part = held != null || figures.areWithinBoxes(state.selection()) ? view.around(parts) : getLayoutBounds();
-        selected.showOnly(held != null ? view.of(held.box, AIR) : isAlone ? part : getLayoutBounds());
-        grabbed.showOnly(rays.isPresent() || (drag != null && drag.isWide()) ? getLayoutBounds() : part);
-    }
-
-    private @Nullable Held held(EditorState state) {
-        List<BodyAt> bodies = Places.bodies(state.selection());
-        Box box = figures.areMany(bodies) ? figures.box(bodies) : Box.EMPTY;
-        return box.isEmpty() || !view.contains(box) ? null
-                : new Held(state.scene(), state.selection(), bodies, state.selection().stream().filter(item -> !(item instanceof BodyAt)).toList(), view, box);
-    }
-
-    private Segment segment(Vec3 from, Vec3 to) {
-        return new Segment(view.x(axes.u(from)), view.y(axes.v(from)), view.x(axes.u(to)), view.y(axes.v(to)));
-    }
 }
