@@ -1,7 +1,6 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
