@@ -20,7 +20,7 @@ record ManualPage(String path, String title, List<Block> blocks) {
     private static final String FOLDER = "/cz/paprsek/fx/manual/";
     private static final List<String> ENGLISH = List.of("README.md", "docs/editor.md", "docs/scene-file.md", "docs/elements.md", "docs/materials.md", "docs/gallery.md", "docs/scenes.md", "docs/models.md",
             "docs/explain.md", "docs/lessons.md", "docs/what-went-wrong.md", "docs/textbooks.md", "docs/database.md", "docs/command-line.md", "docs/povray.md", "docs/library.md",
-            "docs/performance.md", "docs/cluster.md", "docs/proofs.md", "docs/architecture.md", "docs/decisions.md");
+            "docs/performance.md", "docs/measured.md", "docs/cluster.md", "docs/proofs.md", "docs/architecture.md", "docs/decisions.md");
     private static final List<String> CZECH = List.of("docs/cs/start.md", "docs/cs/editor.md", "docs/cs/scene-file.md", "docs/cs/explain.md", "docs/cs/lessons.md");
 
     /** Where decisions are listed: each is a page of its own, which is found by its link or its words. */
