@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Arranging;
 import cz.paprsek.fx.model.edit.Arranging.Role;
 import cz.paprsek.fx.model.edit.LightMoves;
+import cz.paprsek.fx.view.look.Strokes;
 import cz.paprsek.fx.view.rays.BodyOutline;
 import cz.paprsek.fx.view.rays.BodyOutline.Look;
 import cz.paprsek.math.Vec3;
@@ -14,7 +15,10 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.LightAt;
+import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import javafx.scene.canvas.GraphicsContext;
@@ -24,18 +28,22 @@ import javafx.scene.paint.Color;
 final class Outlines {
     private final GraphicsContext g;
     private final CameraView view;
-    private final Vec3 eye;
+    private final Camera camera;
     private final EditorState state;
+    /** What is drawn together, if it is very much. */
+    private final Map<Look, List<BodyAt>> many = new EnumMap<>(Look.class);
+    private boolean areMany;
 
     Outlines(GraphicsContext g, EditorState state, Camera camera) {
         this.g = g;
         this.view = new CameraView(camera, g.getCanvas().getWidth(), g.getCanvas().getHeight());
-        this.eye = camera.position();
+        this.camera = camera;
         this.state = state;
     }
 
     /** What is selected: of an operation, or of one of its operands, what is taken away is a ghost. */
     void selected() {
+        areMany = state.selection().size() > Strokes.MANY;
         for (ScenePath item : state.selection()) {
             if (item instanceof LightAt light && !state.isHidden(item)) {
                 light(LightMoves.place(state.scene().lights().get(light.index())));
@@ -48,6 +56,8 @@ final class Outlines {
                 }
             }
         }
+        areMany = false;
+        many.forEach((look, bodies) -> BodyOutline.draw(g, view::line, camera, state.scene(), bodies, look));
     }
 
     private void siblings(BodyAt at) {
@@ -67,7 +77,11 @@ final class Outlines {
     }
 
     void draw(BodyAt at, Look look) {
-        BodyOutline.draw(g, view::line, eye, state.scene(), at, look);
+        if (areMany) {
+            many.computeIfAbsent(look, key -> new ArrayList<>()).add(at);
+        } else {
+            BodyOutline.draw(g, view::line, camera.position(), state.scene(), at, look);
+        }
     }
 
     private void light(Vec3 place) {

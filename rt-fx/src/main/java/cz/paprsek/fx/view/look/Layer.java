@@ -55,7 +55,23 @@ public final class Layer extends Canvas {
         setClip(part);
     }
 
-    /** How often it has been drawn. */
+    /**
+     * Draws a part anew, whatever it depends on; all else stays as it is.
+     *
+     * @param part that begins and ends between pixels of the screen
+     */
+    public void mend(Bounds part, Consumer<GraphicsContext> painter) {
+        GraphicsContext g = getGraphicsContext2D();
+        g.save();
+        g.beginPath();
+        g.rect(part.getMinX(), part.getMinY(), part.getWidth(), part.getHeight());
+        g.clip();
+        g.clearRect(part.getMinX(), part.getMinY(), part.getWidth(), part.getHeight());
+        painter.accept(g);
+        g.restore();
+    }
+
+    /** How often all of it has been drawn. */
     public int drawings() {
         return drawings;
     }

@@ -1,7 +1,9 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Sight;
+import cz.paprsek.fx.view.look.Strokes;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
@@ -11,28 +13,29 @@ import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
 import cz.paprsek.scene.ScenePath.LightAt;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Collection;
-import java.util.Collections;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 
 /** The figures of a scene's objects in one projection, each made once and kept as long as its object is in the scene. */
 final class Figures {
-    /** From how many objects on circles are drawn coarsely. */
-    private static final int MANY = 2000;
     /** More things are not looked through for what lies within their boxes. */
     private static final int FEW = 50;
 
     private final Axes axes;
-    private final IdentityHashMap<SceneObject, Figure> known = new IdentityHashMap<>();
-    /** Those of them that are drawn as they are while a hand moves them. */
-    private final Set<SceneObject> moving = Collections.newSetFromMap(new IdentityHashMap<>());
     private Scene scene = Scene.EMPTY;
     /** Of whose objects figures are known: an earlier one while a hand moves things and nobody has asked for the figure of one. */
     private Scene followed = Scene.EMPTY;
+    /** Those of its objects that have been asked for; null for others. */
+    private @Nullable Figure[] known = {};
+    /** Those of them that are drawn as they are while a hand moves them. */
+    private final BitSet moving = new BitSet();
     private boolean isMoved;
 
     Figures(Axes axes) {
@@ -42,7 +45,7 @@ final class Figures {
     /** @param changing whether a change is under way: what it makes anew is drawn roughly, and finely when it has ended */
     void show(Scene fresh, boolean changing) {
         if (!changing) {
-            moving.forEach(known::remove);
+            moving.stream().forEach(i -> known[i] = null);
             moving.clear();
         }
         isMoved = changing;
@@ -61,20 +64,37 @@ final class Figures {
         followed = scene;
         if (old.objects().size() == scene.objects().size()) {
             // What still stands somewhere else is drawn anew when it is asked for.
-            Arrays.stream(old.objectsOtherThanIn(scene)).forEach(i -> follow(old.objects().get(i), scene.objects().get(i)));
+            Arrays.stream(old.objectsOtherThanIn(scene)).forEach(i -> follow(i, old.objects().get(i), scene.objects().get(i)));
         } else {
-            known.keySet().retainAll(identities(scene.objects()));
+            keep(old.objects(), scene.objects());
         }
     }
 
     /** What a hand only moves keeps its lines. */
-    private void follow(SceneObject old, SceneObject now) {
-        Figure figure = known.remove(old);
+    private void follow(int index, SceneObject old, SceneObject now) {
+        Figure figure = known[index];
+        known[index] = null;
+        moving.clear(index);
         if (figure != null && isMoved && isMoved(old, now)) {
             Vec3 by = now.placement().position().minus(old.placement().position());
-            known.put(now, figure.moved(axes.u(by), axes.v(by)));
-            moving.remove(old);
-            moving.add(now);
+            known[index] = figure.moved(axes.u(by), axes.v(by));
+            moving.set(index);
+        }
+    }
+
+    private void keep(List<SceneObject> old, List<SceneObject> now) {
+        IdentityHashMap<SceneObject, Integer> places = new IdentityHashMap<>();
+        for (int i = 0; i < old.size(); i++) {
+            places.put(old.get(i), i);
+        }
+        @Nullable Figure[] before = known;
+        BitSet moved = (BitSet) moving.clone();
+        known = new Figure[now.size()];
+        moving.clear();
+        for (int i = 0; i < now.size(); i++) {
+            int place = places.getOrDefault(now.get(i), -1);
+            known[i] = place < 0 ? null : before[place];
+            moving.set(i, place >= 0 && moved.get(place));
         }
     }
 
@@ -86,30 +106,29 @@ final class Figures {
                         .mapToObj(ScenePath::light).allMatch(apart::contains);
     }
 
-    private static Set<SceneObject> identities(List<SceneObject> objects) {
-        Set<SceneObject> all = Collections.newSetFromMap(new IdentityHashMap<>());
-        all.addAll(objects);
-        return all;
-    }
-
     Scene scene() {
         return scene;
     }
 
-    List<SceneObject> objects() {
-        return scene.objects();
+    /** How many objects there are. */
+    int count() {
+        return scene.objects().size();
     }
 
-    Figure of(SceneObject object) {
+    /** Of an object, counted from 0. */
+    Figure of(int object) {
         follow();
-        return known.computeIfAbsent(object, this::drawn);
+        Figure figure = known[object];
+        if (figure == null) {
+            moving.set(object, isMoved);
+            figure = drawn(scene.objects().get(object), isMoved);
+            known[object] = figure;
+        }
+        return figure;
     }
 
-    private Figure drawn(SceneObject object) {
-        if (isMoved) {
-            moving.add(object);
-        }
-        return Figure.of(Body.of(object), axes, scene.objects().size() > MANY ? Figure.Fineness.COARSE : isMoved ? Figure.Fineness.MOVING : Figure.Fineness.FINE);
+    private Figure drawn(SceneObject object, boolean isInHand) {
+        return Figure.of(Body.of(object), axes, count() > Strokes.MANY ? Figure.Fineness.COARSE : isInHand ? Figure.Fineness.MOVING : Figure.Fineness.FINE);
     }
 
     /** Of an object at another time, which is not kept. */
@@ -118,7 +137,7 @@ final class Figures {
     }
 
     Figure of(BodyAt at) {
-        return of(scene.objects().get(at.numbers().get(0))).at(at.numbers().subList(1, at.numbers().size()));
+        return of(at.numbers().get(0)).at(at.numbers().subList(1, at.numbers().size()));
     }
 
     /** Whether bodies are so many, neither with operands nor without end, that they are drawn once and then shown elsewhere. */
@@ -163,6 +182,29 @@ final class Figures {
         return item instanceof CameraAt;
     }
 
+    /**
+     * The box around what a few items cover here or have covered in another scene; empty if that is not known to be within their boxes, or if something else is
+     * otherwise there.
+     */
+    @SuppressWarnings("ReferenceEquality")
+    Optional<Box> changed(Scene before, Set<ScenePath> some, Set<ScenePath> more) {
+        Set<ScenePath> items = new HashSet<>(some.size() <= FEW ? some : Set.of());
+        items.addAll(more.size() <= FEW ? more : Set.of());
+        if (!items.containsAll(some) || !items.containsAll(more) || !areWithinBoxes(items) || !isLike(before, items)) {
+            return Optional.empty();
+        }
+        Box box = Box.EMPTY;
+        for (BodyAt at : Places.bodies(items)) {
+            SceneObject old = before.objects().get(at.index());
+            Figure was = old == scene.objects().get(at.index()) ? of(at) : drawn(old, false);
+            if (!was.operands().isEmpty() || was.box().isEmpty()) {
+                return Optional.empty();
+            }
+            box = box.union(of(at).box()).union(was.box());
+        }
+        return Optional.of(box);
+    }
+
     /** The box around an item; a point for cameras and lights without a size. */
     Box box(ScenePath item) {
         if (item instanceof LightAt light) {
@@ -196,7 +238,7 @@ final class Figures {
             box = state.isHidden(ScenePath.camera(i)) ? box : box.union(box(ScenePath.camera(i)));
         }
         for (int i = 0; i < scene.objects().size(); i++) {
-            box = state.isHidden(ScenePath.body(i)) ? box : box.union(of(scene.objects().get(i)).box());
+            box = state.isHidden(ScenePath.body(i)) ? box : box.union(of(i).box());
         }
         for (int i = 0; i < scene.lights().size(); i++) {
             box = state.isHidden(ScenePath.light(i)) ? box : box.union(box(ScenePath.light(i)));

@@ -13,6 +13,8 @@ import cz.paprsek.scene.SunLight;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.paint.Color;
 
 /**
  * How a light is drawn: its place as a mark, and lines for its size and where it shines, world space. A direction is drawn from the light on as long
@@ -54,6 +56,21 @@ record LightSketch(Vec3 place, List<List<Vec3>> extent, List<List<Vec3>> way, Op
             return new LightSketch(place, List.of(), List.of(List.of(place, Vec3.ZERO), rim(Vec3.ZERO, place, sun.angle() / 2)), Optional.empty());
         }
         return new LightSketch(place, List.of(), List.of(), Optional.empty());
+    }
+
+    /** Draws the sign of a light at a point of a canvas. */
+    static void sign(GraphicsContext g, Light light, double x, double y, Color rim) {
+        g.setStroke(rim);
+        g.setLineWidth(1.5);
+        // The rim is of the theme and keeps a pale light apart from what is behind; within is the light's own colour.
+        g.setFill(Color.color(light.color().red() / 255, light.color().green() / 255, light.color().blue() / 255));
+        g.fillOval(x - 4, y - 4, 8, 8);
+        g.strokeOval(x - 4, y - 4, 8, 8);
+        for (int i = 0; i < 8; i++) {
+            double dx = Math.cos(i * Math.PI / 4);
+            double dy = Math.sin(i * Math.PI / 4);
+            g.strokeLine(x + 6 * dx, y + 6 * dy, x + 9 * dx, y + 9 * dy);
+        }
     }
 
     /** What a spot shines at. */

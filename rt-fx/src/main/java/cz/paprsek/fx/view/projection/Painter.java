@@ -5,13 +5,13 @@ import cz.paprsek.fx.model.edit.Arranging;
 import cz.paprsek.fx.model.edit.Arranging.Role;
 import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.view.look.Palette;
+import cz.paprsek.fx.view.look.Strokes;
 import cz.paprsek.fx.view.projection.Grips.Grip;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -35,14 +35,24 @@ final class Painter {
     private static final double CAMERA_HALF_HEIGHT = 5;
     /** Smaller things are drawn as a dot, pixels. */
     private static final double DOT = 2.5;
+    /** More than a line is wide, pixels. */
+    private static final double LINE = 2;
 
     private final GraphicsContext g;
     private final Viewport view;
     private final Axes axes;
     private final Palette palette;
     private final List<Bounds> taken = new ArrayList<>();
+    /** What is drawn of the pane, pixels. */
+    private final Bounds part;
 
     Painter(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
+        this(g, view, axes, palette, new BoundingBox(0, 0, view.width(), view.height()));
+    }
+
+    /** @param part what is drawn of the pane, pixels */
+    Painter(GraphicsContext g, Viewport view, Axes axes, Palette palette, Bounds part) {
+        this.part = part;
         this.g = g;
         this.view = view;
         this.axes = axes;
@@ -66,18 +76,15 @@ final class Painter {
         Set<ScenePath> without = new HashSet<>(hidden);
         without.addAll(apart);
         List<Figure> ghosts = new ArrayList<>();
-        g.setLineWidth(1.2);
-        g.setStroke(palette.outline());
-        List<SceneObject> objects = figures.objects();
-        for (int i = 0; i < objects.size(); i++) {
-            Figure figure = figures.of(objects.get(i));
+        Strokes strokes = Strokes.on(g, part, 1.2, palette.outline(), figures.count() > Strokes.MANY);
+        for (int i = 0; i < figures.count(); i++) {
+            Figure figure = figures.of(i);
             if (isInSight(figure)) {
-                // Each by itself: a single path through ten thousand objects takes three times as long.
-                g.beginPath();
-                trace(without, figure, ScenePath.body(i), ghosts);
-                g.stroke();
+                trace(without, figure, ScenePath.body(i), strokes, ghosts);
+                strokes.next();
             }
         }
+        strokes.end();
         ghosts(ghosts, palette.ghost());
         Scene scene = figures.scene();
         for (int i = 0; i < scene.lights().size(); i++) {
@@ -90,15 +97,14 @@ final class Painter {
     /** The objects that are selected. */
     void selected(EditorState state, Figures figures) {
         List<Figure> ghosts = new ArrayList<>();
-        g.setLineWidth(1.8);
-        g.setStroke(palette.selected());
+        Strokes strokes = Strokes.on(g, part, 1.8, palette.selected(), state.selection().size() > Strokes.MANY);
         for (ScenePath item : state.selection()) {
             if (item instanceof ScenePath.BodyAt body && !state.isHidden(item) && figures.of(body).operands().isEmpty() && isInSight(figures.of(body))) {
-                g.beginPath();
-                whole(figures.of(body), ghosts);
-                g.stroke();
+                whole(figures.of(body), strokes, ghosts);
+                strokes.next();
             }
         }
+        strokes.end();
         ghosts(ghosts, palette.selected());
         for (ScenePath item : state.selection()) {
             if (item instanceof ScenePath.BodyAt body && !state.isHidden(item)) {
@@ -127,11 +133,9 @@ final class Painter {
             if (!state.isHidden(operand) && !state.selection().contains(operand)) {
                 List<Figure> ghosts = new ArrayList<>();
                 Color color = color(Arranging.role(state.scene(), operand).orElse(Role.BASE));
-                g.setLineWidth(isOperation ? 1.8 : 1.2);
-                g.beginPath();
-                whole(figures.of(operand), ghosts);
-                g.setStroke(color);
-                g.stroke();
+                Strokes strokes = Strokes.on(g, part, isOperation ? 1.8 : 1.2, color, false);
+                whole(figures.of(operand), strokes, ghosts);
+                strokes.next();
                 ghosts(ghosts, color);
             }
         }
@@ -148,11 +152,9 @@ final class Painter {
     /** What something that is dragged would be dropped on. */
     void highlighted(Figure figure) {
         List<Figure> ghosts = new ArrayList<>();
-        g.setLineWidth(3.5);
-        g.beginPath();
-        whole(figure, ghosts);
-        g.setStroke(palette.selected());
-        g.stroke();
+        Strokes strokes = Strokes.on(g, part, 3.5, palette.selected(), false);
+        whole(figure, strokes, ghosts);
+        strokes.next();
         ghosts(ghosts, palette.selected());
     }
 
@@ -212,64 +214,65 @@ final class Painter {
     /** Where something that moves is at another time. */
     void moment(Figure figure, boolean isSelected) {
         g.setGlobalAlpha(0.7);
-        g.setLineWidth(1);
         g.setLineDashes(2, 3);
-        g.setStroke(isSelected ? palette.selected() : palette.outline());
-        g.beginPath();
-        whole(figure, new ArrayList<>());
-        g.stroke();
+        Strokes strokes = Strokes.on(g, part, 1, isSelected ? palette.selected() : palette.outline(), false);
+        whole(figure, strokes, new ArrayList<>());
+        strokes.next();
         g.setLineDashes();
         g.setGlobalAlpha(1);
     }
 
     private boolean isInSight(Figure figure) {
-        return figure.box().isEmpty() || view.shows(figure.box());
+        Box box = figure.box();
+        return box.isEmpty() || (view.x(box.maxU()) >= part.getMinX() - LINE && view.x(box.minU()) <= part.getMaxX() + LINE
+                && view.y(box.minV()) >= part.getMinY() - LINE && view.y(box.maxV()) <= part.getMaxY() + LINE);
     }
 
     /** Adds a figure to the path, without parts that are hidden or drawn apart. */
-    private void trace(Set<ScenePath> without, Figure figure, ScenePath.BodyAt item, List<Figure> ghosts) {
+    private void trace(Set<ScenePath> without, Figure figure, ScenePath.BodyAt item, Strokes strokes, List<Figure> ghosts) {
         if (without.contains(item)) {
             return;
         }
         if (figure.operands().isEmpty()) {
-            leaf(figure, ghosts);
+            leaf(figure, strokes, ghosts);
         }
         for (int i = 0; i < figure.operands().size(); i++) {
-            trace(without, figure.operands().get(i), item.child(i), ghosts);
+            trace(without, figure.operands().get(i), item.child(i), strokes, ghosts);
         }
     }
 
-    private void whole(Figure figure, List<Figure> ghosts) {
+    private void whole(Figure figure, Strokes strokes, List<Figure> ghosts) {
         if (figure.operands().isEmpty()) {
-            leaf(figure, ghosts);
+            leaf(figure, strokes, ghosts);
         }
-        figure.operands().forEach(operand -> whole(operand, ghosts));
+        figure.operands().forEach(operand -> whole(operand, strokes, ghosts));
     }
 
-    private void leaf(Figure figure, List<Figure> ghosts) {
+    private void leaf(Figure figure, Strokes strokes, List<Figure> ghosts) {
         if (figure.ghost()) {
             ghosts.add(figure);
         } else if (!figure.box().isEmpty() && Math.max(figure.box().width(), figure.box().height()) * view.scale() < DOT) {
             double x = view.x(figure.box().centreU());
             double y = view.y(figure.box().centreV());
-            g.moveTo(x - 0.7, y);
-            g.lineTo(x + 0.7, y);
-        } else {
-            lines(figure);
+            strokes.moveTo(x - 0.7, y);
+            strokes.lineTo(x + 0.7, y);
+        } else if (figure.box().isEmpty() || !strokes.hides(view.x(figure.box().minU()) - LINE, view.y(figure.box().maxV()) - LINE,
+                view.x(figure.box().maxU()) + LINE, view.y(figure.box().minV()) + LINE)) {
+            lines(figure, strokes);
         }
     }
 
     /** Adds the lines of a figure to the path; of a small one, only as many points as can be told apart. */
-    private void lines(Figure figure) {
+    private void lines(Figure figure, Strokes strokes) {
         double size = figure.box().isEmpty() ? Double.POSITIVE_INFINITY
                 : Math.max(figure.box().width(), figure.box().height()) * view.scale();
         for (double[] line : figure.lines()) {
             int stride = 2 * Math.max(1, (int) (line.length / 2.0 / (4 + size)));
-            g.moveTo(view.x(line[0] + figure.byU()), view.y(line[1] + figure.byV()));
+            strokes.moveTo(view.x(line[0] + figure.byU()), view.y(line[1] + figure.byV()));
             for (int i = stride; i < line.length - 2; i += stride) {
-                g.lineTo(view.x(line[i] + figure.byU()), view.y(line[i + 1] + figure.byV()));
+                strokes.lineTo(view.x(line[i] + figure.byU()), view.y(line[i + 1] + figure.byV()));
             }
-            g.lineTo(view.x(line[line.length - 2] + figure.byU()), view.y(line[line.length - 1] + figure.byV()));
+            strokes.lineTo(view.x(line[line.length - 2] + figure.byU()), view.y(line[line.length - 1] + figure.byV()));
         }
     }
 
@@ -277,12 +280,10 @@ final class Painter {
         if (ghosts.isEmpty()) {
             return;
         }
-        g.setLineWidth(1);
         g.setLineDashes(4, 3);
-        g.setStroke(color);
-        g.beginPath();
-        ghosts.forEach(this::lines);
-        g.stroke();
+        Strokes strokes = Strokes.on(g, part, 1, color, false);
+        ghosts.forEach(ghost -> lines(ghost, strokes));
+        strokes.next();
         g.setLineDashes();
     }
 
@@ -295,19 +296,7 @@ final class Painter {
         g.setLineWidth(1);
         sketch.way().forEach(this::polyline);
         g.setGlobalAlpha(1);
-        double x = x(LightMoves.place(light));
-        double y = y(LightMoves.place(light));
-        g.setStroke(color);
-        g.setLineWidth(1.5);
-        // The rim is of the theme and keeps a pale light apart from what is behind; within is the light's own colour.
-        g.setFill(Color.color(light.color().red() / 255, light.color().green() / 255, light.color().blue() / 255));
-        g.fillOval(x - 4, y - 4, 8, 8);
-        g.strokeOval(x - 4, y - 4, 8, 8);
-        for (int i = 0; i < 8; i++) {
-            double dx = Math.cos(i * Math.PI / 4);
-            double dy = Math.sin(i * Math.PI / 4);
-            g.strokeLine(x + 6 * dx, y + 6 * dy, x + 9 * dx, y + 9 * dy);
-        }
+        LightSketch.sign(g, light, x(sketch.place()), y(sketch.place()), color);
     }
 
     private void polyline(List<Vec3> points) {

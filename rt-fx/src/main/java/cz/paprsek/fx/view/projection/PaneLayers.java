@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.view.look.Layer;
+import cz.paprsek.fx.view.look.Strokes;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.motion.OnionSkin;
 import cz.paprsek.fx.view.projection.Grips.Grip;
@@ -22,8 +23,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javafx.geometry.BoundingBox;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
+import javafx.scene.canvas.GraphicsContext;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -33,6 +36,8 @@ import org.jspecify.annotations.Nullable;
 final class PaneLayers {
     /** About a selection's box, so that it holds all handles, pixels. */
     private static final double AIR = 36;
+    /** More than a line is wide, pixels. */
+    private static final double LINE = 2;
     /** By how much a line may be elsewhere while it is dragged, pixels. */
     private static final double MISSED = 0.01;
 
@@ -68,6 +73,8 @@ final class PaneLayers {
     private @Nullable EditorState handled;
     private @Nullable Look drawnLook;
     private Scene drawn = Scene.EMPTY;
+    /** Whether that was while a hand moved something, so that more may be otherwise when it has ended. */
+    private boolean isDrawnRoughly;
 
     /** @param figures of the pane, which show the scene whenever something is drawn */
     PaneLayers(ProjectionPane pane, Figures figures) {
@@ -111,14 +118,33 @@ final class PaneLayers {
         Set<ScenePath> apart = model.gesturingProperty().get() ? state.selection() : Set.of();
         Look look = new Look(view, pane.theme(), apart, state.hidden());
         if (!look.equals(drawnLook) || !figures.isLike(drawn, apart)) {
-            rest.draw(new Object(), g -> {
-                Grid.draw(g, view, axes, pane.theme().palette());
-                new Painter(g, view, axes, pane.theme().palette()).rest(state.hidden(), apart, figures);
-            });
+            Optional<Bounds> part = mendable(look);
+            if (part.isPresent()) {
+                rest.mend(part.get(), g -> rest(g, look, part.get()));
+            } else {
+                rest.draw(new Object(), g -> rest(g, look, new BoundingBox(0, 0, view.width(), view.height())));
+                isDrawnRoughly = model.gesturingProperty().get();
+            }
             drawnLook = look;
             drawn = state.scene();
         }
         drawAbove(state, view);
+    }
+
+    private void rest(GraphicsContext g, Look look, Bounds part) {
+        Grid.draw(g, look.view, axes, look.theme.palette());
+        new Painter(g, look.view, axes, look.theme.palette(), part).rest(look.hidden, look.apart, figures);
+    }
+
+    /** Where the lowest layer is otherwise if nothing has changed but a few things that are, or were, drawn apart; as when a drag begins or ends. Empty if it is to be drawn as a whole. */
+    private Optional<Bounds> mendable(Look look) {
+        Look before = drawnLook;
+        double pixels = Strokes.pixels(rest);
+        if (before == null || isDrawnRoughly || pixels != Math.rint(pixels) || !new Look(look.view, look.theme, before.apart, look.hidden).equals(before)) {
+            return Optional.empty();
+        }
+        return figures.changed(drawn, before.apart, look.apart)
+                .map(box -> box.isEmpty() ? new BoundingBox(0, 0, 0, 0) : Viewport.whole(look.view.around(List.of(look.view.of(box, LINE)))));
     }
 
     private void drawAbove(EditorState state, Viewport view) {

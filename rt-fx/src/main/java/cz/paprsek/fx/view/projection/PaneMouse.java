@@ -14,12 +14,12 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
+import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import javafx.scene.Cursor;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.input.KeyCode;
@@ -251,12 +251,16 @@ final class PaneMouse {
 
     private Snapping others(Set<ScenePath> moving) {
         Figures figures = pane.figures();
-        Set<Integer> objects = new java.util.HashSet<>();
+        Set<Integer> objects = new HashSet<>();
         Places.bodies(moving).forEach(body -> objects.add(body.object().index()));
-        Stream<Box> boxes = IntStream.range(0, figures.objects().size())
-                .filter(i -> !objects.contains(i) && !model.state().isHidden(ScenePath.body(i)))
-                .mapToObj(i -> figures.of(figures.objects().get(i)).box());
-        return new Snapping(boxes.filter(box -> pane.view().shows(box)));
+        List<Box> boxes = new ArrayList<>();
+        for (int i = 0; i < figures.count(); i++) {
+            Box box = figures.of(i).box();
+            if (!box.isEmpty() && pane.view().shows(box) && !objects.contains(i) && !model.state().isHidden(ScenePath.body(i))) {
+                boxes.add(box);
+            }
+        }
+        return new Snapping(boxes);
     }
 
     private Optional<Grip> gripAt(double x, double y) {

@@ -59,7 +59,7 @@ final class Picker {
         Set<ScenePath> found = new LinkedHashSet<>();
         Scene scene = figures.scene();
         for (int i = 0; i < scene.objects().size(); i++) {
-            Box own = figures.of(scene.objects().get(i)).box();
+            Box own = figures.of(i).box();
             if (!own.isEmpty() && box.contains(own)) {
                 found.add(ScenePath.body(i));
             }

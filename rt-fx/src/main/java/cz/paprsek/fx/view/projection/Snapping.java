@@ -2,9 +2,9 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.edit.Rounds;
 import java.util.Arrays;
+import java.util.List;
 import java.util.OptionalDouble;
-import java.util.stream.DoubleStream;
-import java.util.stream.Stream;
+import java.util.function.ToDoubleFunction;
 
 /** Draws what is moved to the grid, and to the sides and middles of other objects, which come first. */
 final class Snapping {
@@ -17,10 +17,23 @@ final class Snapping {
     private final double[] us;
     private final double[] vs;
 
-    Snapping(Stream<Box> others) {
-        Box[] boxes = others.filter(box -> !box.isEmpty()).toArray(Box[]::new);
-        us = Arrays.stream(boxes).flatMapToDouble(box -> DoubleStream.of(box.minU(), box.centreU(), box.maxU())).sorted().toArray();
-        vs = Arrays.stream(boxes).flatMapToDouble(box -> DoubleStream.of(box.minV(), box.centreV(), box.maxV())).sorted().toArray();
+    /** @param others none of them empty */
+    Snapping(List<Box> others) {
+        us = sorted(others, Box::minU, Box::centreU, Box::maxU);
+        vs = sorted(others, Box::minV, Box::centreV, Box::maxV);
+    }
+
+    @SafeVarargs
+    private static double[] sorted(List<Box> boxes, ToDoubleFunction<Box>... places) {
+        double[] all = new double[boxes.size() * places.length];
+        int i = 0;
+        for (Box box : boxes) {
+            for (ToDoubleFunction<Box> place : places) {
+                all[i++] = place.applyAsDouble(box);
+            }
+        }
+        Arrays.sort(all);
+        return all;
     }
 
     /**

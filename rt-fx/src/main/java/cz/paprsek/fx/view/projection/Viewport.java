@@ -70,6 +70,13 @@ record Viewport(double centreU, double centreV, double scale, double width, doub
         return new BoundingBox(x(box.minU()) - air, y(box.maxV()) - air, x(box.maxU()) - x(box.minU()) + 2 * air, y(box.minV()) - y(box.maxV()) + 2 * air);
     }
 
+    /** All pixels that a rectangle touches. */
+    static Bounds whole(Bounds part) {
+        double x = Math.floor(part.getMinX());
+        double y = Math.floor(part.getMinY());
+        return new BoundingBox(x, y, Math.max(0, Math.ceil(part.getMaxX()) - x), Math.max(0, Math.ceil(part.getMaxY()) - y));
+    }
+
     /** A rectangle around some, as far as it is on the pane. */
     Bounds around(List<Bounds> parts) {
         double left = parts.stream().mapToDouble(Bounds::getMinX).min().orElse(0);

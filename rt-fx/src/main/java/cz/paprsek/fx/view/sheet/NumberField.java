@@ -88,7 +88,11 @@ final class NumberField extends TextField implements PropertyEditor {
 
     @Override
     public void show(Scene scene) {
-        Optional<Double> now = property.read(scene).map(number -> ((Number) number).doubleValue());
+        show(scene, property.read(scene).map(number -> ((Number) number).doubleValue()));
+    }
+
+    /** Shows a number that has been read already; none for several. */
+    void show(Scene scene, Optional<Double> now) {
         String prompt = now.isEmpty() ? texts.of("sheet.mixed") : "";
         if (!prompt.equals(getPromptText())) {
             setPromptText(prompt);

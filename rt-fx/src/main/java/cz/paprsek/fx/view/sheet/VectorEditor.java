@@ -7,6 +7,7 @@ import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
@@ -23,9 +24,11 @@ final class VectorEditor implements PropertyEditor {
 
     private final HBox box = new HBox();
     private final List<NumberField> fields = new ArrayList<>();
+    private final Property property;
 
     /** @param linked whether the three are to stay in proportion for now */
     VectorEditor(Property property, PropertyEdit edit, Texts texts, BooleanSupplier linked) {
+        this.property = property;
         box.getStyleClass().add("vector-editor");
         for (String axis : AXES) {
             Property part = property.part(axis);
@@ -50,7 +53,13 @@ final class VectorEditor implements PropertyEditor {
 
     @Override
     public void show(Scene scene) {
-        fields.forEach(field -> field.show(scene));
+        // Of very many things that have it in common it is read once, not three times.
+        Optional<Object> common = property.read(scene);
+        for (int i = 0; i < AXES.size(); i++) {
+            NumberField field = fields.get(i);
+            Function<Vec3, Double> part = PARTS.getOrDefault(AXES.get(i), Vec3::x);
+            common.ifPresentOrElse(vector -> field.show(scene, Optional.of(part.apply((Vec3) vector))), () -> field.show(scene));
+        }
     }
 
     private static Scene inProportion(Property property, Scene scene, String axis, UnaryOperator<Object> change) {

@@ -26,12 +26,15 @@ import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.height.HeightField;
 import cz.paprsek.shape.mesh.Triangles;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -47,6 +50,52 @@ class SectionsTest {
             .plus(SceneObject.of(new Sphere(0.5)).named("ball").madeOf("steel"),
                     SceneObject.of(new Cone(2, 3)).madeOf(Material.color(255, 0, 0)),
                     SceneObject.of(new Sphere(0.5)).at(1, 0, 0).madeOf(Material.DEFAULT));
+
+    /** A number that counts how often it is asked for. */
+    record Counted(double number, AtomicInteger asked) {
+        @Override
+        public double number() {
+            asked.incrementAndGet();
+            return number;
+        }
+    }
+
+    /** A thing that has one. */
+    record Thing(Counted has) {}
+
+    @Test
+    void whatAThousandThingsHaveTogetherIsReadOnce() {
+        Counted same = new Counted(7, new AtomicInteger());
+        Counted other = new Counted(8, new AtomicInteger());
+        List<Thing> things = new ArrayList<>(Collections.nCopies(1000, new Thing(same)));
+        assertThat(number(things)).contains(7.0);
+        assertThat(same.asked()).hasValue(1);
+        things.add(new Thing(new Counted(7, new AtomicInteger())));
+        assertThat(number(things)).contains(7.0);
+        things.add(new Thing(other));
+        things.addAll(Collections.nCopies(1000, new Thing(same)));
+        assertThat(number(things)).isEmpty();
+        assertThat(other.asked()).hasValue(1);
+    }
+
+    private static Optional<Object> number(List<Thing> things) {
+        return new Property(new Target() {
+            @Override
+            public List<? extends Record> read(Scene scene) {
+                return things;
+            }
+
+            @Override
+            public Optional<Spot> spot(Scene scene) {
+                return Optional.empty();
+            }
+
+            @Override
+            public Scene change(Scene scene, UnaryOperator<Record> change) {
+                return scene;
+            }
+        }, List.of("has", "number"), double.class, Trait.of(Trait.Kind.NUMBER)).read(Scene.EMPTY);
+    }
 
     @Test
     void sceneIsShownWhenNothingIsSelected() {

@@ -30,14 +30,15 @@ import javafx.beans.property.SimpleObjectProperty;
 import javafx.scene.image.WritableImage;
 import javafx.scene.layout.StackPane;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What is drawn, and painted, anew while one ball of a thousand is dragged in a pane of 400 × 300, seen from the front. */
 class LayersTest {
     private static final int STEPS = 10;
     private static final List<String> NAMES = List.of("rest", "selected", "signs", "grabbed");
 
-    private final EditorModel model = new EditorModel(Scene.EMPTY.withObjects(IntStream.range(0, 1000)
-            .mapToObj(i -> SceneObject.of(new Sphere(0.3)).at(i % 10, i / 10 % 10, -Math.floorDiv(i, 100))).toList()).plus(Light.at(5, 5, 5)));
+    private final EditorModel model = new EditorModel(balls(1000));
     private final ProjectionPane pane = Gui.on(() -> new ProjectionPane(new Edits(model, Texts.in(Locale.ENGLISH)), Axes.FRONT, new SimpleObjectProperty<>(Theme.LIGHT),
             new SimpleBooleanProperty(true), new SimpleBooleanProperty(true)));
 
@@ -57,6 +58,44 @@ class LayersTest {
             assertThat(area).isBetween(1000.0, 400 * 300 / 6.0);
             assertThat(of("grabbed", LayersTest::area)).isEqualTo(area);
         }
+    }
+
+    /** Of three thousand, lines are drawn by other means. */
+    @ParameterizedTest
+    @ValueSource(ints = {1000, 3000})
+    void whereADragBeginsAndEndsTheRestIsMendedAndNotDrawnAnew(int count) {
+        Gui.on(() -> {
+            model.open(balls(count));
+            return true;
+        });
+        try (Gui gui = Gui.show(() -> pane, 400, 300)) {
+            gui.pulse();
+            int[] before = pixels(gui);
+            int drawings = of("rest", Layer::drawings);
+            gui.act(() -> model.select(ScenePath.body(444)));
+            Gesture drag = Gui.on(() -> model.begin(Label.of(Label.Edit.MOVE)));
+            move(gui, drag, 1.37);
+            move(gui, drag, 2.37);
+            gui.act(drag::commit);
+            gui.act(() -> model.select());
+            assertThat(of("rest", Layer::drawings)).isEqualTo(drawings);
+            int[] dragged = pixels(gui);
+            gui.act(() -> pane.zoom(2));
+            gui.act(() -> pane.zoom(0.5));
+            assertThat(of("rest", Layer::drawings)).isEqualTo(drawings + 2);
+            assertThat(differing(dragged, pixels(gui))).as("pixels that are otherwise when all is drawn anew").isZero();
+            assertThat(differing(dragged, before)).as("pixels that are otherwise after the drag").isPositive();
+            gui.act(() -> {
+                model.undo();
+                model.select();
+            });
+            assertThat(differing(before, pixels(gui))).as("pixels that are otherwise after undoing").isZero();
+        }
+    }
+
+    private static Scene balls(int count) {
+        return Scene.EMPTY.withObjects(IntStream.range(0, count)
+                .mapToObj(i -> SceneObject.of(new Sphere(0.3)).at(i % 10, i / 10 % 10, -Math.floorDiv(i, 100))).toList()).plus(Light.at(5, 5, 5));
     }
 
     @Test
