@@ -2,12 +2,12 @@ package cz.paprsek.format;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Bump;
-import cz.paprsek.material.Material.ByPattern;
 import cz.paprsek.material.Material.NormalMap;
 import cz.paprsek.material.Material.Relief;
-import cz.paprsek.material.Material.Share;
 import cz.paprsek.material.Material.Shares;
 import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Share;
+import cz.paprsek.material.Share.ByPattern;
 import java.util.function.UnaryOperator;
 
 /** Materials whose pictures go by other names. */

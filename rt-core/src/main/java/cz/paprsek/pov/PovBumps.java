@@ -5,11 +5,11 @@ import static cz.paprsek.text.Numbers.text;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Bump;
-import cz.paprsek.material.Material.ColorChannel;
 import cz.paprsek.material.Material.NormalMap;
 import cz.paprsek.material.Material.Relief;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.material.Share.ColorChannel;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Disc;

@@ -4,12 +4,12 @@ import static cz.paprsek.pov.PovText.vector;
 import static cz.paprsek.text.Numbers.text;
 
 import cz.paprsek.material.Material;
-import cz.paprsek.material.Material.ByPattern;
 import cz.paprsek.material.Material.Fresnel;
-import cz.paprsek.material.Material.Share;
 import cz.paprsek.material.Material.Shares;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.material.Share;
+import cz.paprsek.material.Share.ByPattern;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Shape;

@@ -3,13 +3,14 @@ package cz.paprsek.pov;
 import static cz.paprsek.text.Numbers.text;
 
 import cz.paprsek.attribute.Described;
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb.Tone;
+import cz.paprsek.material.Share;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.render.light.FixedPoints;
 import cz.paprsek.scene.Lens;
@@ -242,7 +243,7 @@ final class PovWarnings {
 
     private void checkShares(String name, Material material) {
         Described.values(material.shares()).forEach((share, value) -> {
-            if (value instanceof Material.ByPattern by && !PovPatterns.isTold(by.pattern())) {
+            if (value instanceof Share.ByPattern by && !PovPatterns.isTold(by.pattern())) {
                 sentences.add(name + ": POV-Ray is not told the " + share + " of its material point by point, as a picture has it, and takes the greatest");
             }
         });

@@ -2,10 +2,10 @@ package cz.paprsek.pov;
 
 import static cz.paprsek.pov.PovText.vector;
 
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;

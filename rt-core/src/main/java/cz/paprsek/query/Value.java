@@ -1,6 +1,6 @@
 package cz.paprsek.query;
 
-import cz.paprsek.material.Material.ByPattern;
+import cz.paprsek.material.Share.ByPattern;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.text.Numbers;
 import java.util.Objects;

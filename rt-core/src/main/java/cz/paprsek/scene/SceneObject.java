@@ -1,8 +1,8 @@
 package cz.paprsek.scene;
 
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Disc;

@@ -1,10 +1,10 @@
 package cz.paprsek.scene;
 
 import cz.paprsek.list.Difference;
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Require;

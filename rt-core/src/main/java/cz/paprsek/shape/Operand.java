@@ -1,7 +1,7 @@
 package cz.paprsek.shape;
 
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Placement.Pivot;
 import java.util.Objects;

@@ -5,10 +5,10 @@ import static cz.paprsek.teach.mistake.Mistake.RADIUS_IS_DIAMETER;
 import static cz.paprsek.teach.mistake.Mistake.ROTATION_OPPOSITE;
 import static cz.paprsek.teach.mistake.Mistake.ROTATION_ORDER;
 
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;

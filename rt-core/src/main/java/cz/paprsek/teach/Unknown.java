@@ -1,9 +1,9 @@
 package cz.paprsek.teach;
 
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.scene.Lens;

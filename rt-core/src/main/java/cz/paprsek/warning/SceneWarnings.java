@@ -7,6 +7,7 @@ import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.material.Share;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.AreaLight;
@@ -191,8 +192,8 @@ public final class SceneWarnings {
 
     /** The greatest sum at any one point, if all shares that differ do so by one pattern, in other colours; else without bound: nobody knows where which of them meet. */
     private static double together(Material material, boolean isGlass) {
-        List<Material.ByPattern> varied = Stream.of(material.shares().diffusion(), material.shares().reflection(), material.shares().transparency())
-                .filter(Material.ByPattern.class::isInstance).map(Material.ByPattern.class::cast).toList();
+        List<Share.ByPattern> varied = Stream.of(material.shares().diffusion(), material.shares().reflection(), material.shares().transparency())
+                .filter(Share.ByPattern.class::isInstance).map(Share.ByPattern.class::cast).toList();
         if (varied.size() < 2 || varied.stream().anyMatch(by -> !areAlike(by.pattern(), varied.get(0).pattern()))) {
             return Double.POSITIVE_INFINITY;
         }
@@ -215,8 +216,8 @@ public final class SceneWarnings {
                 ? colors.stops().stream().map(Pattern.Stop::at).toList() : value).toList();
     }
 
-    private static double share(Material.Share share, int color, double even) {
-        return share instanceof Material.ByPattern by ? by.channel().of(by.pattern().palette().get(color)) : even;
+    private static double share(Share share, int color, double even) {
+        return share instanceof Share.ByPattern by ? by.channel().of(by.pattern().palette().get(color)) : even;
     }
 
     /** Where nothing is strewn, the colour is there for ambient light alone, and every surface that light meets on its way through adds some. */

@@ -3,10 +3,10 @@ package cz.paprsek.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.image.Image;
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;

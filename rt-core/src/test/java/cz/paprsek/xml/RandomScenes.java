@@ -1,12 +1,13 @@
 package cz.paprsek.xml;
 
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.material.Rgb.Tone;
+import cz.paprsek.material.Share;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Animation.Ease;
@@ -165,8 +166,8 @@ public final class RandomScenes {
                 .withShares(new Material.Shares(share(), share(), share(), share(), share())).withRelief(relief());
     }
 
-    private Material.Share share() {
-        return random.nextInt(3) > 0 ? new Material.Even() : new Material.ByPattern(pick(Material.ColorChannel.values()), pattern());
+    private Share share() {
+        return random.nextInt(3) > 0 ? new Share.Even() : new Share.ByPattern(pick(Share.ColorChannel.values()), pattern());
     }
 
     private Material.Relief relief() {

@@ -1,9 +1,9 @@
 package cz.paprsek.render.surface;
 
 import cz.paprsek.material.CustomPattern;
-import cz.paprsek.material.Material.ColorChannel;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.material.Share.ColorChannel;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;

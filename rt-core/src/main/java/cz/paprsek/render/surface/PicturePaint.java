@@ -1,7 +1,7 @@
 package cz.paprsek.render.surface;
 
-import cz.paprsek.material.Material.ColorChannel;
 import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Share.ColorChannel;
 import cz.paprsek.math.Affine;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.texture.Texture;

@@ -1,9 +1,9 @@
 package cz.paprsek.render.surface;
 
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.math.Affine;
 import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Scene;

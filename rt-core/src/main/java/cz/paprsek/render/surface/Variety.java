@@ -1,8 +1,9 @@
 package cz.paprsek.render.surface;
 
 import cz.paprsek.material.Material;
-import cz.paprsek.material.Material.ByPattern;
-import cz.paprsek.material.Material.ColorChannel;
+import cz.paprsek.material.Share;
+import cz.paprsek.material.Share.ByPattern;
+import cz.paprsek.material.Share.ColorChannel;
 import cz.paprsek.math.Affine;
 import cz.paprsek.render.texture.Textures;
 import java.util.List;
@@ -13,13 +14,13 @@ import java.util.Optional;
  *
  * @param hasShares whether any share does
  */
-record Variety(Share diffusion, Share specular, Share reflection, Share transparency, Share roughness, boolean hasShares, Bending bending) {
-    private static final Share EVEN = new Share(ColorChannel.LUMINANCE, Optional.empty());
+record Variety(Painted diffusion, Painted specular, Painted reflection, Painted transparency, Painted roughness, boolean hasShares, Bending bending) {
+    private static final Painted EVEN = new Painted(ColorChannel.LUMINANCE, Optional.empty());
     /** Nothing. */
     static final Variety NONE = new Variety(EVEN, EVEN, EVEN, EVEN, EVEN, false, Bending.NONE);
 
     /** How a share depends on the point; not at all without a paint. */
-    record Share(ColorChannel channel, Optional<Paint> paint) {
+    record Painted(ColorChannel channel, Optional<Paint> paint) {
         /** At the level's hit, whose colour is changed. */
         double share(Level level, double even) {
             if (paint.isEmpty()) {
@@ -30,7 +31,7 @@ record Variety(Share diffusion, Share specular, Share reflection, Share transpar
             return Math.max(0, Math.min(1, channel.of(level.colorRed, level.colorGreen, level.colorBlue)));
         }
 
-        void tell(Level level, String name, Material.Share share, List<Told> told) {
+        void tell(Level level, String name, Share share, List<Told> told) {
             if (share instanceof ByPattern by) {
                 paint.ifPresent(its -> {
                     its.ask(level);
@@ -67,7 +68,7 @@ record Variety(Share diffusion, Share specular, Share reflection, Share transpar
                 Bending.of(material.relief(), toDeclared, textures));
     }
 
-    private static Share share(Material.Share share, Affine toDeclared, Textures textures) {
-        return share instanceof ByPattern by ? new Share(by.channel(), Optional.of(Paint.of(by.pattern(), toDeclared, textures, false))) : EVEN;
+    private static Painted share(Share share, Affine toDeclared, Textures textures) {
+        return share instanceof ByPattern by ? new Painted(by.channel(), Optional.of(Paint.of(by.pattern(), toDeclared, textures, false))) : EVEN;
     }
 }

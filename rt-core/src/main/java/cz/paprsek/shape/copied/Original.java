@@ -1,8 +1,8 @@
 package cz.paprsek.shape.copied;
 
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.math.Affine;
 import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Parts;

@@ -2,13 +2,13 @@ package cz.paprsek.xml.bind;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material;
-import cz.paprsek.material.Material.Even;
 import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.Material.Relief;
-import cz.paprsek.material.Material.Share;
 import cz.paprsek.material.Material.Shares;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.material.Share;
+import cz.paprsek.material.Share.Even;
 import cz.paprsek.math.Require;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;

@@ -2,12 +2,12 @@ package cz.paprsek.xml.bind;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material.Bump;
-import cz.paprsek.material.Material.ByPattern;
-import cz.paprsek.material.Material.ColorChannel;
 import cz.paprsek.material.Material.NormalMap;
 import cz.paprsek.material.Material.Relief;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.material.Share.ByPattern;
+import cz.paprsek.material.Share.ColorChannel;
 import cz.paprsek.math.Vec3;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;

@@ -9,6 +9,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.material.Share;
 import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
@@ -87,7 +88,7 @@ final class Schema {
 
     /** All enumerations of words that attributes have. */
     private static Stream<Class<?>> enumerations() {
-        Stream<Class<?>> records = Stream.of(Stream.of(RenderSettings.class, Camera.class, Animation.class, Animation.Key.class, Material.class, Material.ByPattern.class), ElementTable.of(Light.class), ElementTable.of(Pattern.class),
+        Stream<Class<?>> records = Stream.of(Stream.of(RenderSettings.class, Camera.class, Animation.class, Animation.Key.class, Material.class, Share.ByPattern.class), ElementTable.of(Light.class), ElementTable.of(Pattern.class),
                 ElementTable.of(Shape.class)).flatMap(some -> some);
         return records.flatMap(record -> Described.of(record).stream()).filter(one -> one.says().value() == Kind.WORD).<Class<?>>map(Described::type).distinct();
     }
@@ -150,7 +151,7 @@ final class Schema {
         attributes(Material.class);
         text.close("complexType");
         extension("NamedMaterial", NamedMaterial.class, "Material", () -> {});
-        around("Share", "A share of light, or the roughness, by a pattern: what that has at each point, in place of the attribute of the same name.", Material.ByPattern.class);
+        around("Share", "A share of light, or the roughness, by a pattern: what that has at each point, in place of the attribute of the same name.", Share.ByPattern.class);
         around(type(Material.Bump.class), ElementTable.means(Material.Bump.class), Material.Bump.class);
         leaf(Material.NormalMap.class);
         ElementTable.of(Pattern.class).forEach(this::pattern);

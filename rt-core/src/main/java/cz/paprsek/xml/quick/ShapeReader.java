@@ -1,8 +1,8 @@
 package cz.paprsek.xml.quick;
 
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;

@@ -1,8 +1,8 @@
 package cz.paprsek.fx.model.edit;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;

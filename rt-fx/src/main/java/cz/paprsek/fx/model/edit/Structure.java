@@ -4,7 +4,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.SceneTree.Node;
-import cz.paprsek.material.Inherited;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;

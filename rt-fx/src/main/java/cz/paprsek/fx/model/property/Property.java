@@ -2,8 +2,8 @@ package cz.paprsek.fx.model.property;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.formula.Written;
-import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.material.Share;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.Scene;
@@ -37,7 +37,7 @@ public record Property(Target target, List<String> path, Class<?> type, Trait tr
 
     /** The key of its label: the component's name, unless there is another of that name beside it. */
     public String label() {
-        return (type == Material.Share.class ? "field.shares." : "field.") + name();
+        return (type == Share.class ? "field.shares." : "field.") + name();
     }
 
     /** A component of its value that is a number. */

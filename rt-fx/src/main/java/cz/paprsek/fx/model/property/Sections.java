@@ -9,6 +9,7 @@ import cz.paprsek.fx.model.property.Targets.MaterialsOf;
 import cz.paprsek.fx.model.property.Targets.NamedMaterials;
 import cz.paprsek.fx.model.property.Targets.Whole;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Share;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath.BodyAt;
@@ -61,7 +62,7 @@ public final class Sections {
         List<Property> properties = within(target, List.of(), materials);
         properties.removeIf(number -> number.path().size() == 1 && number.trait().kind() == Trait.Kind.SHARE
                 && materials.stream().anyMatch(material -> !(Records.get(((Material) material).shares(),
-                        Records.component(Material.Shares.class, number.name()).orElseThrow()) instanceof Material.Even)));
+                        Records.component(Material.Shares.class, number.name()).orElseThrow()) instanceof Share.Even)));
         return properties;
     }
 

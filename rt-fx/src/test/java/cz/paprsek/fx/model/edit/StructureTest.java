@@ -8,8 +8,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.TestScenes;
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Animation;
