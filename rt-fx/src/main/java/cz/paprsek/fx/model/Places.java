@@ -1,5 +1,6 @@
 package cz.paprsek.fx.model;
 
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
@@ -25,6 +26,11 @@ public final class Places {
     /** The objects and operands, in order. */
     public static List<BodyAt> bodies(Collection<? extends ScenePath> places) {
         return only(BodyAt.class, places);
+    }
+
+    /** How many bodies are drawn for one: its operands instead of an operation. */
+    public static int count(Body body) {
+        return body.operands().isEmpty() ? 1 : body.operands().stream().mapToInt(operand -> count(Body.of(operand))).sum();
     }
 
     /** The cameras, in order. */

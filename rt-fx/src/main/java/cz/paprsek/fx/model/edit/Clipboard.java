@@ -18,6 +18,7 @@ import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -42,7 +43,7 @@ public final class Clipboard {
             throw new IllegalArgumentException("select what is to be copied");
         }
         Scene scene = state.scene();
-        Set<String> names = new LinkedHashSet<>();
+        Names names = new Names(new HashSet<>());
         List<SceneObject> objects = new ArrayList<>();
         for (BodyAt at : places) {
             Body body = at.in(scene);
@@ -50,9 +51,7 @@ public final class Clipboard {
                 body = body.placed(Placements.of(at.toWorld(scene)).orElseThrow(() -> new IllegalArgumentException(
                         "an operand sheared by the operations around it cannot be copied on its own"))).madeOf(at.source(scene));
             }
-            body = body.named(Names.free(body.name(), names));
-            names.add(body.name());
-            objects.add(body.toObject());
+            objects.add(body.named(names.take(body.name())).toObject());
         }
         List<Light> lights = lightPlaces.stream().map(at -> scene.lights().get(at.index())).toList();
         Map<String, Material> materials = new LinkedHashMap<>(scene.materials());

@@ -14,6 +14,7 @@ import cz.paprsek.shape.Operand;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -135,16 +136,48 @@ final class SceneTree {
         throw new IllegalStateException("a node is not among its siblings");
     }
 
+    /** Where among a node's children, or the scene's objects for no node, an index leads to when others are gone. */
+    int indexWithout(Collection<Node> gone, @Nullable Node parent, int index) {
+        Set<Node> all = new HashSet<>(gone);
+        return (int) siblings(parent).subList(0, index).stream().filter(node -> !all.contains(node)).count();
+    }
+
     /** The names that a node's children, or the scene's objects for no node, have. */
-    Set<String> names(@Nullable Node parent) {
-        Set<String> names = new LinkedHashSet<>();
+    Names names(@Nullable Node parent) {
+        Set<String> names = new HashSet<>();
         siblings(parent).forEach(node -> names.add(node.body.name()));
-        return names;
+        return new Names(names);
     }
 
     void remove(Node node) {
-        siblings(node.parent).remove(index(node));
-        node.parent = null;
+        removeAll(List.of(node));
+    }
+
+    /** Takes nodes away, however many, in a single walk through their siblings. */
+    void removeAll(Collection<Node> gone) {
+        Set<Node> all = new HashSet<>(gone);
+        families(gone).forEach(siblings -> siblings.removeIf(all::contains));
+        gone.forEach(node -> node.parent = null);
+    }
+
+    /** Puts nodes that are nowhere each right after another one, likewise. */
+    void insertAfter(Map<Node, Node> fresh) {
+        families(fresh.keySet()).forEach(siblings -> {
+            List<Node> old = List.copyOf(siblings);
+            siblings.clear();
+            old.forEach(node -> {
+                siblings.add(node);
+                Optional.ofNullable(fresh.get(node)).ifPresent(siblings::add);
+            });
+        });
+        fresh.forEach((node, copy) -> copy.parent = node.parent);
+    }
+
+    /** Each list that one of some nodes is in, once. */
+    private Collection<List<Node>> families(Collection<Node> nodes) {
+        Map<Optional<Node>, List<Node>> all = new HashMap<>();
+        nodes.forEach(node -> all.computeIfAbsent(Optional.ofNullable(node.parent), parent -> siblings(node.parent)));
+        return all.values();
     }
 
     /**

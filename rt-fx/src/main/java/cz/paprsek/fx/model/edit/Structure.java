@@ -19,8 +19,12 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Placement;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -45,11 +49,10 @@ public final class Structure {
     /** Adds objects and lights, with free names, and selects them. */
     public static EditorState add(EditorState state, List<SceneObject> objects, List<Light> lights) {
         SceneTree tree = new SceneTree(state);
-        Set<String> names = tree.names(null);
+        Names names = tree.names(null);
         List<Node> nodes = new ArrayList<>();
         for (SceneObject object : objects) {
             Node node = Node.fresh(named(Body.of(object), names));
-            names.add(node.body.name());
             tree.insert(null, tree.objectCount(), node);
             nodes.add(node);
         }
@@ -64,7 +67,7 @@ public final class Structure {
     /** Deletes objects, operands, lights and cameras. An operation that loses its last operand goes too; one camera stays. */
     public static EditorState delete(EditorState state, Collection<? extends ScenePath> items) {
         SceneTree tree = new SceneTree(state);
-        tree.nodes(items).forEach(tree::remove);
+        tree.removeAll(tree.nodes(items));
         Places.lights(items).forEach(tree::removeLight);
         return Cameras.remove(tree.result(), Places.cameras(items));
     }
@@ -72,20 +75,20 @@ public final class Structure {
     /** Copies objects, operands, lights and cameras, each right after its original or last, moved by an offset in world space; selects the copies. */
     public static EditorState duplicate(EditorState state, Collection<? extends ScenePath> items, Vec3 offset) {
         SceneTree tree = new SceneTree(state);
-        List<Node> copies = new ArrayList<>();
+        Map<Node, Node> copies = new LinkedHashMap<>();
+        Map<Optional<Node>, Names> names = new HashMap<>();
         for (Node original : tree.nodes(items)) {
-            Node parent = original.parent();
-            Node copy = Node.fresh(named(original.body, tree.names(parent)));
-            tree.insert(parent, tree.index(original) + 1, copy);
-            copies.add(copy);
+            Names taken = names.computeIfAbsent(Optional.ofNullable(original.parent()), parent -> tree.names(original.parent()));
+            copies.put(original, Node.fresh(named(original.body, taken)));
         }
+        tree.insertAfter(copies);
         List<Integer> lights = new ArrayList<>();
         for (LightAt at : Places.lights(items)) {
             Light light = tree.light(at);
             lights.add(tree.lightCount());
             tree.insertLight(tree.lightCount(), light.named(Names.free(light.name(), tree.lightNames())), -1);
         }
-        EditorState copied = Cameras.withCopies(tree.resultSelecting(copies, lights), Places.cameras(items));
+        EditorState copied = Cameras.withCopies(tree.resultSelecting(copies.values(), lights), Places.cameras(items));
         return copied.withScene(Moves.translated(copied.scene(), copied.selection(), offset));
     }
 
@@ -99,19 +102,17 @@ public final class Structure {
         Affine toTarget = parent.map(at -> at.toWorld(state.scene())).orElse(Affine.IDENTITY);
         SceneTree tree = new SceneTree(carried(state, Places.outermost(items), toTarget));
         Node target = parent.map(tree::node).orElse(null);
-        int place = index;
         List<Node> moving = new ArrayList<>();
         for (BodyAt at : Places.outermost(items)) {
             Node node = tree.node(at);
-            if (node.parent() == target && tree.index(node) < place) {
-                place--;
-            }
             node.body = transferred(node.body, at.parentToWorld(state.scene()), toTarget);
-            tree.remove(node);
             moving.add(node);
         }
+        int place = tree.indexWithout(moving, target, index);
+        tree.removeAll(moving);
+        Names names = tree.names(target);
         for (Node node : moving) {
-            node.body = named(node.body, tree.names(target));
+            node.body = named(node.body, names);
             tree.insert(target, place++, node);
         }
         return tree.result();
@@ -140,11 +141,9 @@ public final class Structure {
         Node first = tree.node(places.get(0));
         Node parent = first.parent();
         List<Body> operands = new ArrayList<>();
-        Set<String> names = new LinkedHashSet<>();
+        Names names = new Names(new HashSet<>());
         for (BodyAt at : places) {
-            Body body = named(transferred(tree.node(at).body, at.parentToWorld(state.scene()), toParent), names);
-            names.add(body.name());
-            operands.add(body);
+            operands.add(named(transferred(tree.node(at).body, at.parentToWorld(state.scene()), toParent), names));
         }
         Csg csg = new Csg(operation, operands.stream().map(Body::toOperand).toList());
         return replaced(tree, places, parent, new Body(name, csg, Placement.NONE, Inherited.INHERITED));
@@ -152,14 +151,14 @@ public final class Structure {
 
     /** With an operation of what stood at places, in their order, instead. */
     private static EditorState replaced(SceneTree tree, List<BodyAt> places, @Nullable Node parent, Body body) {
-        int index = tree.index(tree.node(places.get(0)));
-        int earlier = (int) places.stream().skip(1).map(tree::node)
-                .filter(node -> node.parent() == parent && tree.index(node) < index).count();
-        places.forEach(at -> tree.remove(tree.node(at)));
+        List<Node> gone = places.stream().map(tree::node).toList();
+        int index = tree.indexWithout(gone, parent, tree.index(gone.get(0)));
+        tree.removeAll(gone);
         Node fresh = Node.fresh(named(body, tree.names(parent)));
-        tree.insert(parent, index - earlier, fresh);
+        tree.insert(parent, index, fresh);
+        List<Node> operands = fresh.children();
         for (int i = 0; i < places.size(); i++) {
-            tree.follow(places.get(i), fresh.children().get(i));
+            tree.follow(places.get(i), operands.get(i));
         }
         return tree.resultSelecting(List.of(fresh), List.of());
     }
@@ -192,12 +191,13 @@ public final class Structure {
         Node parent = operation.parent();
         int index = tree.index(operation);
         List<Node> operands = operation.children();
-        operands.forEach(tree::remove);
+        tree.removeAll(operands);
         tree.remove(operation);
+        Names names = tree.names(parent);
         for (Node operand : operands) {
             Body body = transferred(operand.body, operation.body.placement().toParent(), Affine.IDENTITY);
             body = body.material() == Inherited.INHERITED ? body.madeOf(operation.body.material()) : body;
-            operand.body = named(body, tree.names(parent));
+            operand.body = named(body, names);
             tree.insert(parent, index++, operand);
         }
         return operands;
@@ -240,8 +240,8 @@ public final class Structure {
         return result;
     }
 
-    private static Body named(Body body, Set<String> taken) {
-        return body.named(Names.free(body.name(), taken));
+    private static Body named(Body body, Names taken) {
+        return body.named(taken.take(body.name()));
     }
 
     /** With keys of what is taken into another space. */

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.camera;
 import cz.paprsek.drawing.CameraView;
 import cz.paprsek.drawing.Segment;
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Arranging;
 import cz.paprsek.fx.model.edit.Arranging.Role;
 import cz.paprsek.fx.model.edit.LightMoves;
@@ -43,7 +44,8 @@ final class Outlines {
 
     /** What is selected: of an operation, or of one of its operands, what is taken away is a ghost. */
     void selected() {
-        areMany = state.selection().size() > Strokes.MANY;
+        areMany = state.selection().size() > Strokes.MANY
+                || Places.bodies(state.selection()).stream().mapToInt(at -> count(at.parent())).sum() > Strokes.MANY;
         for (ScenePath item : state.selection()) {
             if (item instanceof LightAt light && !state.isHidden(item)) {
                 light(LightMoves.place(state.scene().lights().get(light.index())));
@@ -58,6 +60,10 @@ final class Outlines {
         }
         areMany = false;
         many.forEach((look, bodies) -> BodyOutline.draw(g, view::line, camera, state.scene(), bodies, look));
+    }
+
+    private int count(BodyAt at) {
+        return at.find(state.scene()).map(Places::count).orElse(0);
     }
 
     private void siblings(BodyAt at) {
@@ -77,7 +83,9 @@ final class Outlines {
     }
 
     void draw(BodyAt at, Look look) {
-        if (areMany) {
+        if (!areMany && count(at) > Strokes.MANY) {
+            BodyOutline.draw(g, view::line, camera, state.scene(), List.of(at), look);
+        } else if (areMany) {
             many.computeIfAbsent(look, key -> new ArrayList<>()).add(at);
         } else {
             BodyOutline.draw(g, view::line, camera.position(), state.scene(), at, look);

@@ -89,6 +89,11 @@ record Figure(List<double[]> lines, double byU, double byV, List<Figure> operand
         return box;
     }
 
+    /** How many figures are drawn for it: its operands instead of an operation. */
+    int count() {
+        return operands.isEmpty() ? 1 : operands.stream().mapToInt(Figure::count).sum();
+    }
+
     /** The same elsewhere. */
     Figure moved(double u, double v) {
         return new Figure(lines, byU + u, byV + v, operands.stream().map(operand -> operand.moved(u, v)).toList(), ghost, box.moved(u, v));

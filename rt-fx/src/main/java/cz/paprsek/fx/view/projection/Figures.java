@@ -37,6 +37,8 @@ final class Figures {
     /** Those of them that are drawn as they are while a hand moves them. */
     private final BitSet moving = new BitSet();
     private boolean isMoved;
+    private Scene counted = Scene.EMPTY;
+    private boolean areMany;
 
     Figures(Axes axes) {
         this.axes = axes;
@@ -115,6 +117,16 @@ final class Figures {
         return scene.objects().size();
     }
 
+    /** Whether so many bodies are drawn, operands instead of operations, that speed counts more than smoothness. */
+    @SuppressWarnings("ReferenceEquality")
+    boolean areMany() {
+        if (counted != scene) {
+            counted = scene;
+            areMany = count() > Strokes.MANY || scene.objects().stream().mapToInt(object -> Places.count(Body.of(object))).sum() > Strokes.MANY;
+        }
+        return areMany;
+    }
+
     /** Of an object, counted from 0. */
     Figure of(int object) {
         follow();
@@ -128,7 +140,7 @@ final class Figures {
     }
 
     private Figure drawn(SceneObject object, boolean isInHand) {
-        return Figure.of(Body.of(object), axes, count() > Strokes.MANY ? Figure.Fineness.COARSE : isInHand ? Figure.Fineness.MOVING : Figure.Fineness.FINE);
+        return Figure.of(Body.of(object), axes, areMany() ? Figure.Fineness.COARSE : isInHand ? Figure.Fineness.MOVING : Figure.Fineness.FINE);
     }
 
     /** Of an object at another time, which is not kept. */

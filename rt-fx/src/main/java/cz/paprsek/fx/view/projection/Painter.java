@@ -15,7 +15,9 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -76,7 +78,7 @@ final class Painter {
         Set<ScenePath> without = new HashSet<>(hidden);
         without.addAll(apart);
         List<Figure> ghosts = new ArrayList<>();
-        Strokes strokes = Strokes.on(g, part, 1.2, palette.outline(), figures.count() > Strokes.MANY);
+        Strokes strokes = Strokes.on(g, part, 1.2, palette.outline(), figures.areMany());
         for (int i = 0; i < figures.count(); i++) {
             Figure figure = figures.of(i);
             if (isInSight(figure)) {
@@ -128,17 +130,21 @@ final class Painter {
             return;
         }
         ScenePath.BodyAt operation = isOperation ? selected : selected.parent();
+        double width = isOperation ? 1.8 : 1.2;
+        boolean areMany = figures.of(operation).count() > Strokes.MANY;
+        Map<Color, Strokes> many = new LinkedHashMap<>();
         for (int i = 0; i < figures.of(operation).operands().size(); i++) {
             ScenePath.BodyAt operand = operation.child(i);
             if (!state.isHidden(operand) && !state.selection().contains(operand)) {
                 List<Figure> ghosts = new ArrayList<>();
                 Color color = color(Arranging.role(state.scene(), operand).orElse(Role.BASE));
-                Strokes strokes = Strokes.on(g, part, isOperation ? 1.8 : 1.2, color, false);
+                Strokes strokes = areMany ? many.computeIfAbsent(color, key -> Strokes.on(g, part, width, key, true)) : Strokes.on(g, part, width, color, false);
                 whole(figures.of(operand), strokes, ghosts);
                 strokes.next();
                 ghosts(ghosts, color);
             }
         }
+        many.values().forEach(Strokes::end);
     }
 
     private Color color(Role role) {

@@ -25,6 +25,7 @@ import cz.paprsek.shape.Sphere;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 class StructureTest {
@@ -42,6 +43,23 @@ class StructureTest {
         EditorState after = Structure.add(kitchen, Light.at(0, 9, 0).named("key"));
         assertThat(after.scene().lights().get(2).name()).isEqualTo("key 2");
         assertThat(after.selection()).containsExactly(ScenePath.light(2));
+    }
+
+    @Test
+    void aThousandAreCopiedEachAfterItsOriginalGroupedFreedAndDeleted() {
+        Scene balls = Scene.EMPTY.withObjects(IntStream.range(0, 1000).mapToObj(i -> SceneObject.of(new Sphere(1)).named(i == 0 ? "ball" : "ball " + (i + 1)).at(i, 0, 0)).toList());
+        List<ScenePath> all = ScenePath.bodies(balls).map(ScenePath.class::cast).toList();
+        EditorState copied = Structure.duplicate(EditorState.of(balls), all, new Vec3(0, 5, 0));
+        assertThat(copied.scene().objects().subList(0, 4).stream().map(SceneObject::name)).containsExactly("ball", "ball 1001", "ball 2", "ball 1002");
+        assertThat(copied.selection()).containsExactlyElementsOf(IntStream.range(0, 1000).<ScenePath>mapToObj(i -> body(2 * i + 1)).toList());
+        EditorState grouped = Structure.combine(copied, copied.selection(), Csg.Operation.UNION, "ball 1500");
+        assertThat(grouped.scene().objects()).hasSize(1001);
+        assertThat(grouped.selection()).containsExactly(body(1));
+        assertThat(grouped.scene().objects().get(1).name()).isEqualTo("ball 1500");
+        EditorState freed = Structure.dissolve(grouped, grouped.selection());
+        assertThat(freed.scene().objects().subList(1, 1001)).isEqualTo(IntStream.range(0, 1000).mapToObj(i -> copied.scene().objects().get(2 * i + 1)).toList());
+        assertThat(Structure.delete(freed, freed.selection()).scene()).isEqualTo(balls);
+        assertThat(Structure.move(freed, freed.selection(), Optional.empty(), 2000).scene().objects().subList(0, 1000)).isEqualTo(balls.objects());
     }
 
     @Test

@@ -6,10 +6,12 @@ import cz.paprsek.drawing.CameraView;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.view.rays.BodyOutline.Look;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Sphere;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -23,6 +25,8 @@ import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.image.WritableImage;
 import javafx.scene.paint.Color;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Outlines above a picture of 200 × 150. */
 class BodyOutlineTest {
@@ -37,20 +41,23 @@ class BodyOutlineTest {
         return view.line(from, to);
     };
 
-    @Test
-    void whatLiesWhereAllIsCoveredIsPassedOver() {
-        int some = asked(20_000);
-        int more = asked(60_000);
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void whatLiesWhereAllIsCoveredIsPassedOver(boolean isOneGroup) {
+        int some = asked(20_000, isOneGroup);
+        int more = asked(60_000, isOneGroup);
         // Where each is, is asked; of those that are passed over, nothing else.
         assertThat(more - some).isBetween(40_000, 45_000);
     }
 
-    private int asked(int count) {
+    private int asked(int count, boolean isOneGroup) {
         SplittableRandom random = new SplittableRandom(7);
-        Scene scene = Scene.EMPTY.withObjects(IntStream.range(0, count)
-                .mapToObj(i -> SceneObject.of(new Sphere(0.8)).at(80 * random.nextDouble() - 40, 60 * random.nextDouble() - 30, 0)).toList());
+        List<SceneObject> balls = IntStream.range(0, count)
+                .mapToObj(i -> SceneObject.of(new Sphere(0.8)).at(80 * random.nextDouble() - 40, 60 * random.nextDouble() - 30, 0)).toList();
+        Scene scene = Scene.EMPTY.withObjects(isOneGroup
+                ? List.of(SceneObject.of(new Csg(Csg.Operation.UNION, balls.stream().map(ball -> Body.of(ball).toOperand()).toList()))) : balls);
         asked.set(0);
-        drawn(g -> BodyOutline.draw(g, picture, CAMERA, scene, ScenePath.bodies(scene).toList(), Look.STRONG));
+        drawn(g -> BodyOutline.draw(g, picture, CAMERA, scene, IntStream.range(0, scene.objects().size()).mapToObj(ScenePath::body).toList(), Look.STRONG));
         return asked.get();
     }
 
