@@ -194,11 +194,6 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
         }
     }
 
-    /** Of a component that holds one number: that number. */
-    public double number(Object record) {
-        return ((Number) value(record)).doubleValue();
-    }
-
     public boolean isNumber() {
         return type() == double.class || type() == int.class;
     }

@@ -8,31 +8,36 @@ import java.util.stream.Collectors;
 
 /** The kinds of file that a picture can be written to. Eight-bit kinds are sRGB-encoded and clamped; the others say what they hold. */
 public enum ImageFormat {
-    PNG("8-bit sRGB, lossless", "png"),
-    JPG("8-bit sRGB, small", "jpg", "jpeg"),
-    BMP("8-bit sRGB, uncompressed", "bmp"),
-    TIF("8-bit sRGB, lossless", "tif", "tiff"),
-    PPM("8-bit sRGB, uncompressed", "ppm"),
-    PGM("8-bit brightness", "pgm"),
-    PFM("linear light as 32-bit floats, unclamped", "pfm"),
-    TXT("brightness 0-255 as text, one image row a line", "txt"),
-    RAW("linear luminance as decimal text, one image row a line", "lum"),
-    PPM16("16-bit linear light, for comparing with other renderers", "ppm16"),
-    HDR("linear light, three bytes with one exponent, unclamped", "hdr"),
-    EXR("linear light as 16- or 32-bit floats, unclamped", "exr");
+    /** 8-bit sRGB, lossless. */
+    PNG("png"),
+    /** 8-bit sRGB, small. */
+    JPG("jpg", "jpeg"),
+    /** 8-bit sRGB, uncompressed. */
+    BMP("bmp"),
+    /** 8-bit sRGB, lossless. */
+    TIF("tif", "tiff"),
+    /** 8-bit sRGB, uncompressed. */
+    PPM("ppm"),
+    /** 8-bit brightness. */
+    PGM("pgm"),
+    /** Linear light as 32-bit floats, unclamped. */
+    PFM("pfm"),
+    /** Brightness 0-255 as text, one image row a line. */
+    TXT("txt"),
+    /** Linear luminance as decimal text, one image row a line. */
+    RAW("lum"),
+    /** 16-bit linear light, for comparing with other renderers. */
+    PPM16("ppm16"),
+    /** Linear light, three bytes with one exponent, unclamped. */
+    HDR("hdr"),
+    /** Linear light as 16- or 32-bit floats, unclamped. */
+    EXR("exr");
 
-    private final String description;
     @SuppressWarnings("ImmutableEnumChecker") // never written after construction, never handed out
     private final String[] extensions;
 
-    ImageFormat(String description, String... extensions) {
-        this.description = description;
+    ImageFormat(String... extensions) {
         this.extensions = extensions;
-    }
-
-    /** What such a file holds, for people. */
-    public String description() {
-        return description;
     }
 
     /** The usual ending of the file's name, without a dot. */

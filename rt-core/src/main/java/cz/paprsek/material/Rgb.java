@@ -79,7 +79,7 @@ public record Rgb(double red, double green, double blue) {
     /** How light is fitted to what a screen can show. */
     public enum Tone {
         /** Not at all: light beyond white is white. */
-        NONE("light beyond white is white") {
+        NONE {
             @Override
             public double of(double light) {
                 return light;
@@ -92,7 +92,7 @@ public record Rgb(double red, double green, double blue) {
          * @source Hable, Filmic Tonemapping for Real-time Rendering, SIGGRAPH 2010 course Color Enhancement and Rendering in Film and Game
          *     Production: his curve with his constants, exposure bias 2 and linear white 11.2
          */
-        FILMIC("as film has it: highlights bent towards white") {
+        FILMIC {
             @Override
             public double of(double light) {
                 return Math.min(1, curve(2 * Math.max(0, light)) / curve(11.2));
@@ -111,17 +111,6 @@ public record Rgb(double red, double green, double blue) {
                         - numerator / denominator;
             }
         };
-
-        private final String meaning;
-
-        Tone(String meaning) {
-            this.meaning = meaning;
-        }
-
-        /** How light is fitted, in a few words. */
-        public String meaning() {
-            return meaning;
-        }
 
         /** The light to show of a channel, linear, 1 for white. */
         public abstract double of(double light);

@@ -192,23 +192,16 @@ public record RenderSettings(
     /** Which ways light comes. */
     public enum Integrator {
         /** Straight from the lights, by mirrors and through glass. */
-        WHITTED("straight from the lights, by mirrors and through glass", 1, MOST_SAMPLES),
+        WHITTED(1, MOST_SAMPLES),
         /** Any way, from surface to surface. */
-        PATH("any way, from surface to surface", USUAL_PATHS, MOST_PATHS);
+        PATH(USUAL_PATHS, MOST_PATHS);
 
-        private final String meaning;
         private final int usualSamples;
         private final int mostSamples;
 
-        Integrator(String meaning, int usualSamples, int mostSamples) {
-            this.meaning = meaning;
+        Integrator(int usualSamples, int mostSamples) {
             this.usualSamples = usualSamples;
             this.mostSamples = mostSamples;
-        }
-
-        /** Which ways light comes, in a few words. */
-        public String meaning() {
-            return meaning;
         }
 
         /** The samples of settings that say none. */
@@ -237,28 +230,17 @@ public record RenderSettings(
     /** From where around its centre a pixel gathers light, and with what weight: what its rays are strewn by. */
     public enum PixelFilter {
         /** The pixel's own square, evenly. */
-        BOX("evenly within the pixel"),
+        BOX,
         /** A pixel to each side, falling to nothing in straight lines. */
-        TENT("falling to nothing a pixel away"),
+        TENT,
         /** A bell curve with a standard deviation of half a pixel, cut off two pixels away. */
-        GAUSS("a bell curve"),
+        GAUSS,
         /**
          * Two pixels to each side, below nothing in the outer one, which makes edges sharper.
          *
          * @source Mitchell and Netravali, Reconstruction Filters in Computer Graphics, SIGGRAPH 1988, with B = C = ⅓
          */
-        MITCHELL("sharpening: below nothing in its outer parts");
-
-        private final String meaning;
-
-        PixelFilter(String meaning) {
-            this.meaning = meaning;
-        }
-
-        /** How it weighs light, in a few words. */
-        public String meaning() {
-            return meaning;
-        }
+        MITCHELL;
 
         /** The name as people type it. */
         @Override

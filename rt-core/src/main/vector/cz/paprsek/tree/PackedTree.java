@@ -13,7 +13,6 @@ final class PackedTree extends Tree {
     static final int WIDTH = FloatVector.SPECIES_PREFERRED.length() >= 16 ? 16 : 8;
     private static final boolean ARE_SIXTEEN = WIDTH == 16;
     private static final VectorSpecies<Float> FLOATS = ARE_SIXTEEN ? FloatVector.SPECIES_512 : FloatVector.SPECIES_256;
-    private static final VectorSpecies<Integer> INTS = ARE_SIXTEEN ? IntVector.SPECIES_512 : IntVector.SPECIES_256;
     /** What planes are read as: ints of two each. */
     private static final VectorSpecies<Integer> PAIRS = ARE_SIXTEEN ? IntVector.SPECIES_256 : IntVector.SPECIES_128;
     /** What holds a byte for each lane, and what they are read from as one number or two. */

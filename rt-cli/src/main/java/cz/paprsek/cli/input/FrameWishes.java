@@ -8,9 +8,6 @@ import picocli.CommandLine.Option;
 
 /** Which frames of a film the user wants. */
 public final class FrameWishes {
-    /** The scene as it is written. */
-    public static final FrameWishes NONE = new FrameWishes();
-
     @Option(names = "--frames", paramLabel = "A-B", description = {
         "Renders frames A to B of a film, the first being 1, as what moves in the scene has it at their times; without it the scene is as it is written.",
         "Each becomes a picture of its own, {frame} in the output being its number with zeros in front; or all of them a film, if the output ends in .apng, .gif or .y4m, or "

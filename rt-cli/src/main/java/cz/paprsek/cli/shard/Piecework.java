@@ -4,7 +4,6 @@ import cz.paprsek.asset.Assets;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.shard.Deal.Piece;
 import cz.paprsek.cli.shard.PartFile.Numbers;
-import cz.paprsek.cli.shard.PartFile.Pixels;
 import cz.paprsek.cli.value.Shard;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderResult;
@@ -131,16 +130,6 @@ public final class Piecework implements Sharing {
     /** Where the part of a tile goes in a folder of parts. */
     public static Path part(Path folder, int frame, Tile tile) {
         return new PartsFolder(folder).file(new Piece(frame, 0, tile));
-    }
-
-    /** Whether a file is the part of a tile, and whole. */
-    public boolean isPart(Path file, int frame, Tile tile) {
-        try {
-            PartHead head = PartFile.read(file, Pixels.IGNORED);
-            return head.card().equals(order().card()) && head.frame() == frame && head.pass() == 0 && head.tile().equals(tile);
-        } catch (IOException damaged) {
-            return false;
-        }
     }
 
     /**

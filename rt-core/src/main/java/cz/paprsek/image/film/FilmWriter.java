@@ -13,7 +13,6 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.IntBinaryOperator;
-import java.util.stream.Collectors;
 
 /** Writes pictures that are to be shown one after the other into one file, in the order in which they come. */
 public final class FilmWriter {
@@ -30,20 +29,12 @@ public final class FilmWriter {
 
     /** What such a file can be. */
     public enum Format {
-        APNG("8-bit sRGB, lossless; one picture to those who know PNG only"),
-        GIF("256 colours a picture"),
-        Y4M("uncompressed, for programs that make videos");
-
-        private final String description;
-
-        Format(String description) {
-            this.description = description;
-        }
-
-        /** What such a file holds, for people. */
-        public String description() {
-            return description;
-        }
+        /** 8-bit sRGB, lossless; one picture to those who know PNG only. */
+        APNG,
+        /** 256 colours a picture. */
+        GIF,
+        /** Uncompressed, for programs that make videos. */
+        Y4M;
 
         /** The ending of such a file's name, without a dot. */
         public String extension() {
@@ -59,11 +50,6 @@ public final class FilmWriter {
         /** The format that a file's name ends with. */
         public static Optional<Format> ofFile(String fileName) {
             return of(fileName.substring(fileName.lastIndexOf('.') + 1)).filter(format -> fileName.indexOf('.') >= 0);
-        }
-
-        /** The extensions of all, separated by commas. */
-        public static String all() {
-            return Arrays.stream(values()).map(Format::extension).collect(Collectors.joining(", "));
         }
 
         /** @throws IllegalArgumentException if it cannot show so many pictures a second */

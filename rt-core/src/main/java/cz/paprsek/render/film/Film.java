@@ -184,44 +184,37 @@ public final class Film {
      */
     public enum Layer {
         /** The normal, of length 1 towards the viewer, world space; the mean of those that are met. */
-        NORMAL("the normal of what is seen, world space", "X", "Y", "Z"),
+        NORMAL("X", "Y", "Z"),
         /** The share of light that is strewn, diffusion times colour, linear. Bodies of lights strew none. */
-        ALBEDO("which share of light is strewn, by colours", "R", "G", "B"),
+        ALBEDO("R", "G", "B"),
         /** The distance from the eye in scene units; the mean of those that are met. */
-        DEPTH("the distance of what is seen, in scene units", "Z"),
+        DEPTH("Z"),
         /** The object's number in the scene, from 1, and after the objects those of lights that are seen; the one that most rays meet, 0 if most meet nothing. */
-        OBJECT("the number of the object seen, from 1", "ID"),
+        OBJECT("ID"),
         /**
          * The light that reaches what is seen straight from lamps, its ambient and its own; or the background's. Of paths also what comes straight from the sky and from bodies
          * that glow, and is strewn there. Linear.
          */
-        DIRECT("the light that comes by no mirror, no glass and no other surface", "R", "G", "B"),
+        DIRECT("R", "G", "B"),
         /** The light that is mirrored or let through, and of paths what other surfaces strew: what {@link #DIRECT} lacks to the picture. Linear. */
-        INDIRECT("the light that is mirrored, let through or strewn elsewhere", "R", "G", "B"),
+        INDIRECT("R", "G", "B"),
         /** How many rays from the eye the pixel took. */
-        SAMPLES("how many rays from the eye a pixel took", "N"),
+        SAMPLES("N"),
         /**
          * How far the value that is shown, from black as 0 to white as 1, may be from the true one, in the channel where that is farthest, with the confidence that is asked for;
          * below 0 where that cannot be trusted. Of pixels that are judged: those of paths, and of adaptive samples.
          */
-        ERROR("how far the value shown may be from the true one", "V"),
+        ERROR("V"),
         /** What each light brings, wherever it went: {@code light.NAME.R}, or its number from 1, and {@code light.rest.R} for what comes from none. Their sum is the picture. Linear. */
-        LIGHT("what each light brings", "R", "G", "B");
+        LIGHT("R", "G", "B");
 
         private static final String REST = "rest";
         private static final int LONGEST_NAME = 80;
-        private final String meaning;
         @SuppressWarnings("ImmutableEnumChecker") // a copy that nobody can change
         private final List<String> channels;
 
-        Layer(String meaning, String... channels) {
-            this.meaning = meaning;
+        Layer(String... channels) {
             this.channels = List.of(channels);
-        }
-
-        /** What it holds, in a few words. */
-        public String meaning() {
-            return meaning;
         }
 
         /**

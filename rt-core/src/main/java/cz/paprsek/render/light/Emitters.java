@@ -156,11 +156,6 @@ public final class Emitters {
         return body == NOT_SOUGHT ? NOT_SOUGHT : first + body;
     }
 
-    /** The number of the first of these. */
-    public int first() {
-        return first;
-    }
-
     /** The number of what comes after all of these. */
     public int end() {
         return first + lamps.length;

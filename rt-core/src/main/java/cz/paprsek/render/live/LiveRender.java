@@ -36,7 +36,6 @@ public final class LiveRender implements AutoCloseable {
     /** Kept from pass to pass, with what they work with. */
     private final Renderer renderer = Renderer.keeping("paprsek-live-worker");
     private @Nullable Request waiting;
-    private boolean idle = true;
     private volatile boolean outdated;
     private volatile boolean stopped;
     private volatile boolean closed;
@@ -90,11 +89,6 @@ public final class LiveRender implements AutoCloseable {
         stopped = true;
     }
 
-    /** Whether there is nothing left to do. */
-    public synchronized boolean isIdle() {
-        return idle && waiting == null;
-    }
-
     /** Stops rendering for ever. */
     @Override
     public synchronized void close() {
@@ -135,7 +129,6 @@ public final class LiveRender implements AutoCloseable {
     }
 
     private synchronized @Nullable Request take() {
-        idle = true;
         while (!closed && (waiting == null || (waiting.moves && System.nanoTime() < rests))) {
             try {
                 wait(waiting == null ? 0 : millisUntil(rests));
@@ -144,7 +137,6 @@ public final class LiveRender implements AutoCloseable {
             }
         }
         Request taken = closed ? null : waiting;
-        idle = false;
         waiting = null;
         outdated = false;
         stopped = false;

@@ -10,45 +10,34 @@ import java.util.stream.Stream;
 /** What a picture shows: light, or something to learn from. */
 public enum RenderMode {
     /** The light that reaches the eye. */
-    SHADED("the light that reaches the eye"),
+    SHADED,
     /** Of what is seen, the normal towards the viewer: x as red, y as green, z as blue, −1 as 0 and 1 as 255. */
-    NORMALS("the normal of what is seen: x, y, z as red, green, blue"),
+    NORMALS,
     /** Of what is seen, the distance from the eye: light is near, dark is far, black is nothing. */
-    DEPTH("the distance of what is seen: light is near, dark is far"),
+    DEPTH,
     /** Of what is seen, the object: a colour for each, by its number in the scene. */
-    OBJECTS("a colour for each object"),
+    OBJECTS,
     /** How many rays a pixel took, of all kinds, on a {@linkplain HeatScale#RAYS scale} of colours. */
-    RAYS("how many rays a pixel took, on a scale of colours"),
+    RAYS,
     /** How many nodes of the hierarchy those rays visited, each from the root on, on a {@linkplain HeatScale#NODES scale} of colours. */
-    NODES("how many nodes of the hierarchy a pixel's rays visited"),
+    NODES,
     /**
      * The share of the lights that reaches what is seen, in their colours; black where all are blocked or behind, and on what shows no light
      * that falls on it, such as a perfect mirror.
      */
-    SHADOWS("the share of the lights that reaches what is seen"),
+    SHADOWS,
     /**
      * How a picture lies on what is seen: ten by ten cells, each with the tenths of its u and v as two digits, redder to the right and
      * greener upwards.
      */
-    UV("how a picture lies on what is seen: numbered cells, u and v in tenths"),
+    UV,
     /** How many rays from the eye a pixel took, on a {@linkplain HeatScale#SAMPLES scale} of colours. */
-    SAMPLES("how many rays from the eye a pixel took"),
+    SAMPLES,
     /**
      * How far the value that is shown may be from the true one, in steps of 255, on a {@linkplain HeatScale#ERROR scale} of colours; where that cannot be trusted,
      * {@linkplain HeatScale#UNTRUSTED a colour of its own}. As numbers: 1 from black to white, and below 0 where that cannot be trusted.
      */
-    ERROR("how far the value shown may be from the true one");
-
-    private final String meaning;
-
-    RenderMode(String meaning) {
-        this.meaning = meaning;
-    }
-
-    /** What is shown, in a few words. */
-    public String meaning() {
-        return meaning;
-    }
+    ERROR;
 
     /** The scale of a heat map; empty if the picture is none. */
     public Optional<HeatScale> scale() {

@@ -64,11 +64,6 @@ public abstract class Sampling {
         return mass() > 1;
     }
 
-    /** How many rays a pixel gets at most. */
-    public final int most() {
-        return most;
-    }
-
     /** How many pixels beyond its own a pixel's rays may reach, to each side. */
     public final int reach() {
         return strewing.reach();

@@ -101,11 +101,6 @@ public final class Triangles {
         return new Triangles(places, corners, normals, map, colors, names, perTriangle.clone()).knowing(found.shells());
     }
 
-    /** The same without normals, map and colours that nobody needs: of a mesh that is seen flat and in one colour. */
-    public Triangles bare() {
-        return new Triangles(places, corners, new float[0], new float[0], new float[0], partNames, partNumbers).knowing(found.shells());
-    }
-
     private Triangles knowing(@Nullable Shells known) {
         found.take(known);
         return this;

@@ -2,7 +2,6 @@ package cz.paprsek.xml.recipe;
 
 import cz.paprsek.scene.Animation;
 import cz.paprsek.xml.text.Form;
-import cz.paprsek.xml.text.Places.Place;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -53,10 +52,6 @@ record Node(String name, List<Attr> attributes, List<Node> children, String cont
             }
         }
         return Optional.empty();
-    }
-
-    Place place() {
-        return origin.place(at);
     }
 
     /** Whether there is nothing in it, at any depth, that must be written out. */

@@ -86,10 +86,6 @@ public final class Handles {
         return middle;
     }
 
-    Point2D place() {
-        return place;
-    }
-
     /** Pixels per scene unit at the middle. */
     double scale() {
         return scale;

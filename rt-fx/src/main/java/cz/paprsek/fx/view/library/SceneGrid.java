@@ -58,11 +58,6 @@ final class SceneGrid extends ListView<List<Scene>> {
         arrange();
     }
 
-    /** What is shown, in its order. */
-    List<Scene> shown() {
-        return scenes;
-    }
-
     private void arrange() {
         List<List<Scene>> lines = new ArrayList<>();
         for (int i = 0; i < scenes.size(); i += perRow) {

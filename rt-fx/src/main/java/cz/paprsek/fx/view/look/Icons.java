@@ -3,7 +3,6 @@ package cz.paprsek.fx.view.look;
 import cz.paprsek.scene.Light;
 import cz.paprsek.shape.Shape;
 import java.util.Map;
-import org.kordamp.ikonli.javafx.FontIcon;
 
 /** The icons of kinds of things. */
 public final class Icons {
@@ -57,9 +56,5 @@ public final class Icons {
     /** The icon of a light's kind; a general one for a kind without its own. */
     public static String of(Light light) {
         return LIGHTS.getOrDefault(light.kind(), ANY_LIGHT);
-    }
-
-    public static FontIcon icon(String literal) {
-        return new FontIcon(literal);
     }
 }

@@ -102,11 +102,6 @@ final class StagePicture extends Region {
         requestLayout();
     }
 
-    /** Screen pixels to one of the picture. */
-    double scale() {
-        return scale;
-    }
-
     @Override
     protected void layoutChildren() {
         Rectangle2D part = zoomed ? part() : new Rectangle2D(0, 0, buffer.width(), buffer.height());

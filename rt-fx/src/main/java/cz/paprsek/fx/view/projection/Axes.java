@@ -65,22 +65,12 @@ public enum Axes {
         return up;
     }
 
-    /** The world's axis that points at the viewer. */
-    Axis towards() {
-        return towards;
-    }
-
     double u(Vec3 p) {
         return rightSign * right.of(p);
     }
 
     double v(Vec3 p) {
         return upSign * up.of(p);
-    }
-
-    /** How near a point is to the viewer. */
-    double depth(Vec3 p) {
-        return towards.of(p);
     }
 
     /** The vector in the plane of the projection. */
