@@ -7,6 +7,7 @@ import java.math.MathContext;
 import java.text.DecimalFormatSymbols;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import javafx.geometry.BoundingBox;
 import javafx.geometry.Bounds;
@@ -34,10 +35,17 @@ final class Grid {
         axis(g, view, axes, palette);
     }
 
-    /** The numbers of the lines and the names of the axes, over whatever would strike them through. */
-    static void numbers(GraphicsContext g, Viewport view, Axes axes, Palette palette, Locale locale) {
+    /**
+     * The numbers of the lines and the names of the axes, over whatever would strike them through.
+     *
+     * @param letters the room of the names, as of {@link #letters}
+     */
+    static void numbers(GraphicsContext g, Viewport view, Axes axes, Palette palette, Locale locale, List<Bounds> letters) {
         labels(g, view, axes, 5 * Rounds.step(view.scale()), palette, DecimalFormatSymbols.getInstance(locale).getDecimalSeparator());
-        names(g, view, axes, palette);
+        g.setFont(LETTER_FONT);
+        g.setTextAlign(TextAlignment.CENTER);
+        name(g, axes.right(), letters.get(0), palette);
+        name(g, axes.up(), letters.get(1), palette);
     }
 
     private static void lines(GraphicsContext g, Viewport view, double step, Color color) {
@@ -89,31 +97,29 @@ final class Grid {
         Plate.draw(g, view, FONT, text, new Point2D(x, y), palette.text(), palette.background());
     }
 
-    /** The names of the axes, where these leave the pane. */
-    private static void names(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
-        g.setFont(LETTER_FONT);
-        g.setTextAlign(TextAlignment.CENTER);
-        g.setFill(color(axes.right(), palette));
-        Point2D right = right(view, axes);
-        g.fillText(axes.right().letter(), right.getX(), right.getY());
-        g.setFill(color(axes.up(), palette));
-        Point2D up = up(view, axes);
-        g.fillText(axes.up().letter(), up.getX(), up.getY());
+    private static void name(GraphicsContext g, Axes.Axis axis, Bounds room, Palette palette) {
+        g.setFill(color(axis, palette));
+        g.fillText(axis.letter(), room.getCenterX(), room.getMinY() + 9);
     }
 
-    /** The room that the names of the axes take, pixels. */
-    static List<Bounds> letters(Viewport view, Axes axes) {
-        return Stream.of(right(view, axes), up(view, axes)).<Bounds>map(at -> new BoundingBox(at.getX() - 5, at.getY() - 9, 10, 12)).toList();
-    }
-
-    private static Point2D right(Viewport view, Axes axes) {
+    /**
+     * The room that the names of the axes take, first to the right, where the axes leave the pane, pixels: farther from the axis, or on its other side, if a sign is there.
+     *
+     * @param signs of lights and cameras, pixels
+     */
+    static List<Bounds> letters(Viewport view, Axes axes, List<Bounds> signs) {
         double y = Math.max(18, Math.min(view.height() - 22, view.y(0)));
-        return axes.worldU(1) > 0 ? new Point2D(view.width() - 10, y - 5) : new Point2D(10, y - 11);
+        double x = Math.max(14, Math.min(view.width() - 14, view.x(0)));
+        boolean isRight = axes.worldU(1) > 0;
+        double edge = axes.worldV(1) > 0 ? 14 : view.height() - 20;
+        return List.of(room(signs, DoubleStream.of(-5, -13, 18).mapToObj(by -> isRight ? new Point2D(view.width() - 10, y + by) : new Point2D(10, y - 6 + by))),
+                room(signs, DoubleStream.of(9, 16, -9, -16).mapToObj(by -> new Point2D(x + by, edge))));
     }
 
-    private static Point2D up(Viewport view, Axes axes) {
-        double x = Math.max(14, Math.min(view.width() - 14, view.x(0)));
-        return new Point2D(x + 9, axes.worldV(1) > 0 ? 14 : view.height() - 20);
+    /** The first that is free, or just the first. */
+    private static Bounds room(List<Bounds> signs, Stream<Point2D> places) {
+        List<Bounds> rooms = places.<Bounds>map(at -> new BoundingBox(at.getX() - 5, at.getY() - 9, 10, 12)).toList();
+        return rooms.stream().filter(room -> signs.stream().noneMatch(room::intersects)).findFirst().orElse(rooms.get(0));
     }
 
     static Color color(Axes.Axis axis, Palette palette) {

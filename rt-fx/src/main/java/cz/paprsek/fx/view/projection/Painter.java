@@ -187,16 +187,18 @@ final class Painter {
         }
     }
 
-    /** Keeps names off what is grabbed, the signs of lights and cameras, and the letters of the axes. */
+    /** Keeps names off the letters of the axes, which come first and keep off signs, what is grabbed, and the signs of lights and cameras. */
     void avoid(EditorState state, Box handles, List<Grip> grips) {
-        taken.addAll(Grid.letters(view, axes));
+        Scene scene = state.scene();
+        List<Bounds> signs = Stream.concat(
+                IntStream.range(0, scene.lights().size()).filter(i -> !state.isHidden(ScenePath.light(i))).mapToObj(i -> LightMoves.place(scene.lights().get(i)))
+                        .map(place -> about(x(place), y(place), 9, 9)),
+                IntStream.range(0, scene.cameras().size()).filter(i -> !state.isHidden(ScenePath.camera(i))).mapToObj(i -> scene.cameras().get(i).position())
+                        .map(place -> about(x(place), y(place), CAMERA_HALF_WIDTH, CAMERA_HALF_HEIGHT))).toList();
+        taken.addAll(Grid.letters(view, axes, signs));
         Stream.of(Handle.values()).filter(handle -> !handles.isEmpty()).forEach(handle -> taken.add(about(handle.x(view, handles), handle.y(view, handles), 4, 4)));
         grips.forEach(grip -> taken.add(about(x(grip.place()), y(grip.place()), 8, 8)));
-        Scene scene = state.scene();
-        IntStream.range(0, scene.lights().size()).filter(i -> !state.isHidden(ScenePath.light(i))).mapToObj(i -> LightMoves.place(scene.lights().get(i)))
-                .forEach(place -> taken.add(about(x(place), y(place), 9, 9)));
-        IntStream.range(0, scene.cameras().size()).filter(i -> !state.isHidden(ScenePath.camera(i))).mapToObj(i -> scene.cameras().get(i).position())
-                .forEach(place -> taken.add(about(x(place), y(place), CAMERA_HALF_WIDTH, CAMERA_HALF_HEIGHT)));
+        taken.addAll(signs);
     }
 
     private static Bounds about(double x, double y, double halfWidth, double halfHeight) {

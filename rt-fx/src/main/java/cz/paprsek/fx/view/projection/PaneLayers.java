@@ -186,8 +186,9 @@ final class PaneLayers {
         // Before the names of cameras, which may be many.
         Runnable name = !box.isEmpty() && view.shows(box) ? above.name(PathNames.of(state.scene(), state.selection(), pane.texts()), box) : () -> {};
         List<CameraSketch> cameras = IntStream.range(0, state.scene().cameras().size()).mapToObj(i -> CameraSketch.of(state.scene(), i)).toList();
-        signs.draw(List.of(view, pane.theme(), state.hidden(), state.eye(), cameras, Places.cameras(state.selection()), cameras.size() > 1 ? List.of(above.taken(), state.scene().cameras()) : 1), g -> {
-            Grid.numbers(g, view, axes, pane.theme().palette(), pane.texts().locale());
+        List<Bounds> letters = painter.taken().subList(0, 2);
+        signs.draw(List.of(view, pane.theme(), letters, state.hidden(), state.eye(), cameras, Places.cameras(state.selection()), cameras.size() > 1 ? List.of(above.taken(), state.scene().cameras()) : 1), g -> {
+            Grid.numbers(g, view, axes, pane.theme().palette(), pane.texts().locale(), letters);
             above.on(g).cameras(state, cameras, pane.texts());
         });
         grabbed.draw(new Object(), g -> {

@@ -12,13 +12,18 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Block;
+import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.geometry.BoundingBox;
+import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.image.WritableImage;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** The numbers of the grid of a pane of 400 × 300, where something selected is as wide as the pane and its upper side lies in y = 0. */
 class GridNumbersTest {
@@ -38,6 +43,24 @@ class GridNumbersTest {
             assertThat(selected(seen, 60, 120, zero.getY())).as("the side").isGreaterThan(50);
             assertThat(selected(seen, 2, 8, zero.getY())).as("on the number").isZero();
         }
+    }
+
+    /** Of a camera that stands on an axis, or close to it, and of lights, wherever along the rim. */
+    @ParameterizedTest
+    @EnumSource(Axes.class)
+    void lettersOfTheAxesKeepOffSigns(Axes axes) {
+        Viewport view = new Viewport(0.3, -0.2, 40, 400, 300);
+        List<Bounds> alone = Grid.letters(view, axes, List.of());
+        int moved = 0;
+        for (int x = 0; x <= 400; x += 3) {
+            for (int y = 0; y <= 300; y += 3) {
+                Bounds sign = new BoundingBox(x - 9, y - 9, 18, 18);
+                List<Bounds> letters = Grid.letters(view, axes, List.of(sign));
+                assertThat(letters).noneMatch(sign::intersects).allMatch(new BoundingBox(0, 0, 400, 300)::contains);
+                moved += letters.equals(alone) ? 0 : 1;
+            }
+        }
+        assertThat(moved).isPositive();
     }
 
     /** How many of the columns have a pixel of a selected body near a row. */
