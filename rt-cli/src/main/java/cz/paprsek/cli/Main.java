@@ -3,6 +3,7 @@ package cz.paprsek.cli;
 import cz.paprsek.cli.process.Messages;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
+import java.util.Locale;
 
 /** Where the process begins, and the only place where it ends. */
 public final class Main {
@@ -12,6 +13,8 @@ public final class Main {
     public static void main(String[] args) {
         // Pictures need parts of AWT, but never a display; looking for one takes time and can fail.
         System.setProperty("java.awt.headless", "true");
+        // Numbers in digits that shells and other programs read, whatever the system writes.
+        Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
         Messages.restore();
         Stop stop = new Stop();
         Runtime.getRuntime().addShutdownHook(new Thread(stop::requestAndWait, "paprsek-stop"));

@@ -156,6 +156,12 @@ class ProcessTest {
     }
 
     @Test
+    void whatShellsReadHasTheirDigitsWhateverTheLanguage() throws Exception {
+        List<String> arabic = List.of("-Duser.language=ar", "-Duser.country=EG", "-Duser.extensions=u-nu-arab");
+        assertThat(end(builder(arabic, "generate-completion")).out()).contains("local cmds0=(render)").isEqualTo(end(builder(List.of(), "generate-completion")).out());
+    }
+
+    @Test
     void aNameThatBeginsWithADashIsAFileBehindADot() throws Exception {
         Scenes.ball(folder.resolve("-dash.xml"));
         Ended plain = end(builder(List.of(), "validate", "-dash.xml").directory(folder.toFile()));
