@@ -32,7 +32,17 @@ final class Mitsuba implements Rival {
      * @param seconds of all processors
      * @param whole of paths the mean of all channels of all pixels, of rays how many have hit something
      */
-    record Rendered(double seconds, double whole) {}
+    record Rendered(double seconds, double whole) {
+        /** @throws IOException if it is a line of something else, such as what a library has to say */
+        static Rendered read(String answer) throws IOException {
+            int blank = answer.indexOf(' ');
+            try {
+                return new Rendered(Double.parseDouble(answer.substring(0, Math.max(0, blank))), Double.parseDouble(answer.substring(blank + 1)));
+            } catch (NumberFormatException e) {
+                throw new IOException("Mitsuba answers \"" + answer + "\" where its time should stand", e);
+            }
+        }
+    }
 
     /**
      * Starts it.
@@ -112,8 +122,7 @@ final class Mitsuba implements Rival {
             ask(folder.path().toString());
             loaded = name;
         }
-        String[] answer = ask("").split(" ", -1);
-        return new Rendered(Double.parseDouble(answer[0]), Double.parseDouble(answer[1]));
+        return Rendered.read(ask(""));
     }
 
     private String ask(String line) throws IOException {

@@ -68,6 +68,14 @@ class MitsubaTest {
     }
 
     @Test
+    void aLineThatIsNoAnswerIsQuoted() throws IOException {
+        assertThat(Mitsuba.Rendered.read("0.25 7")).isEqualTo(new Mitsuba.Rendered(0.25, 7));
+        for (String line : new String[] {"warning: slow", "0.25", "0.25 7 8", ""}) {
+            assertThatThrownBy(() -> Mitsuba.Rendered.read(line)).isInstanceOf(IOException.class).hasMessage("Mitsuba answers \"" + line + "\" where its time should stand");
+        }
+    }
+
+    @Test
     void aStopDoesNotWaitForIt() throws IOException {
         Stop stop = new Stop();
         stop.request();
