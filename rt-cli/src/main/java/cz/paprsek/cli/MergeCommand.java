@@ -174,7 +174,11 @@ final class MergeCommand implements Callable<Integer> {
         Assembly whole = Assembly.of(survey, stop);
         Image image = view.finished(whole.image(), target.format());
         ImageOptions how = card.applyTo(new Writing(bits, uncompressed).options()).withOrigin(Origins.areToldIn(target.format()) ? whole.origin() : Origin.UNTOLD);
-        stop.guard(() -> target.write(view.written(target.format()), image, whole.layers(), view.written(target.format(), how), terminal));
+        try {
+            stop.guard(() -> target.write(view.written(target.format()), image, whole.layers(), view.written(target.format(), how), terminal));
+        } catch (IOException e) {
+            return failed(Failures.sentence(target.file().map(Path::toString).orElse("standard output"), e));
+        }
         String line = folder + " -> " + target.shown() + "  " + image.width() + "x" + image.height() + "  " + survey.parts().size() + " parts";
         if (telling.isJson()) {
             terminal.result(said("done").with("output", target.shown()).with("width", image.width()).with("height", image.height()).with("parts", survey.parts().size()).toString());

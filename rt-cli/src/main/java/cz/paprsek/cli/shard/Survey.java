@@ -125,10 +125,15 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
      * What stands in the way of the picture, a sentence each: files first, then what is missing, then the line that makes it.
      *
      * @throws InterruptedIOException if a stop is asked for before all is known
+     * @throws IOException if the folder cannot be listed
      */
-    public List<String> obstacles(Stop stop) throws InterruptedIOException {
+    public List<String> obstacles(Stop stop) throws IOException {
         List<String> sentences = new ArrayList<>(foreign);
         sentences.addAll(damaged);
+        if (parts.isEmpty() && frames.isPresent() && !new PartsFolder(folder).files(Optional.empty()).isEmpty()) {
+            sentences.add(folder + ": none of its parts is of the frames asked for; without --frames, all that is there is put together");
+            return sentences;
+        }
         if (parts.isEmpty()) {
             sentences.add(folder + ": there is no part of a picture in it; paprsek render SCENE --shard I/N -o " + Again.quoted(folder.toString()) + " makes them");
             return sentences;

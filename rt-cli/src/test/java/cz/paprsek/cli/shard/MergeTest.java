@@ -20,6 +20,8 @@ import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -173,6 +175,24 @@ class MergeTest {
         assertThat(merge().code()).isEqualTo(ExitCode.WRONG_USAGE);
         Files.createDirectories(parts);
         assertThat(refused().err()).contains("there is no part of a picture in it; paprsek render SCENE --shard I/N -o");
+    }
+
+    @Test
+    void framesOfWhatIsNoFilmAreTold() throws IOException {
+        render(1, 1);
+        Run run = merge("--frames", "1-2");
+        assertThat(run.code()).isEqualTo(ExitCode.PARTS_LACKING);
+        assertThat(run.err()).isEqualTo(parts + ": none of its parts is of the frames asked for; without --frames, all that is there is put together\n");
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void aPictureThatHasNoRoomIsBlamedAndNotItsParts() {
+        render(1, 1);
+        picture = Path.of("/dev/full");
+        Run run = merge("--format", "png");
+        assertThat(run.code()).isEqualTo(ExitCode.FAILED);
+        assertThat(run.err()).isEqualTo("/dev/full: no space left on device\n");
     }
 
     @Test
