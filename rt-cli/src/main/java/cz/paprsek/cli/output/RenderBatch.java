@@ -148,7 +148,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
                 SceneWarnings.ofPaths(scene.withSettings(options.settings())).forEach(warning -> terminal.message(target.source().label() + ": note: " + warning.message()));
             }
             try (Tiles tiles = resume ? Tiles.kept(target, way, scene, assets, options, terminal, progress == Progress.Maker.SILENT) : Tiles.NOT_KEPT;
-                    Beside beside = Beside.of(new Digest(read, target.format()), target, options, way.isAlone() ? Optional.of(writing.options()) : Optional.empty())) {
+                    Beside beside = Beside.of(new Digest(read, target.format()), target, options, way.isAlone() && view.scale(target.format()).isEmpty() ? Optional.of(writing.options()) : Optional.empty())) {
                 if (options.isInPasses()) {
                     // A picture is kept, and how good it is must be said.
                     stop.oweLastWords();

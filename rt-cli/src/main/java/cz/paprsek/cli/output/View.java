@@ -89,8 +89,12 @@ public record View(RenderMode mode, Optional<String> camera, Optional<String> li
 
     /** The picture as it is written. */
     public Image finished(Image image, ImageFormat format) {
-        Optional<HeatScale> scale = isNumbers(format) ? Optional.empty() : mode.scale();
-        return legend && scale.isPresent() ? Legend.below(image, scale.get()) : image;
+        return scale(format).map(scale -> Legend.below(image, scale)).orElse(image);
+    }
+
+    /** The scale of colours that goes below the picture. */
+    Optional<HeatScale> scale(ImageFormat format) {
+        return legend && !isNumbers(format) ? mode.scale() : Optional.empty();
     }
 
     private static int chosen(Scene scene, String word) {
