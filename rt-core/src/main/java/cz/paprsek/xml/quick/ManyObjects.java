@@ -111,7 +111,7 @@ final class ManyObjects {
 
     /** What is between two places; empty unless that is objects and nothing else, the last of them whole. */
     private Optional<List<SceneObject>> block(int from, int to) {
-        Markup markup = new Markup(Arrays.copyOfRange(text, from, to));
+        Markup markup = new Markup(text, from, to);
         double[] room = new double[3];
         ShapeReader shapes = new ShapeReader(markup, room, known.knowing(markup, room));
         List<SceneObject> found = new ArrayList<>();

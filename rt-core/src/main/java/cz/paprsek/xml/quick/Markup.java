@@ -40,10 +40,11 @@ final class Markup {
     private boolean isEmpty;
 
     /** Of a piece of a file. */
-    Markup(byte[] piece) {
+    Markup(byte[] file, int from, int to) {
         input = InputStream.nullInputStream();
-        buffer = Arrays.copyOf(piece, piece.length + 1);
-        end = piece.length;
+        end = to - from;
+        buffer = new byte[end + 1];
+        System.arraycopy(file, from, buffer, 0, end);
         isAllRead = true;
     }
 
