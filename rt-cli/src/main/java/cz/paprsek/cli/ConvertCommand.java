@@ -46,12 +46,12 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "convert",
         description = {
-            "Writes a scene in another form; what form, is told by the ending of the new file:",
+            "Writes a scene in another form, which the ending of the new file says.",
             ".pov is for POV-Ray 3.7, which computes the same picture from it. What it cannot show exactly is told in a warning.",
             ".xml is our own, in standard order and layout, for tidying up a file written by hand; for both, pictures and meshes are put beside the new file.",
             ".obj and .stl are triangles as the file of another program has them, axes and all.",
-            "A picture becomes one of another format: png, jpg, hdr, exr …, its light alone, without opacity and layers; --bits, --exposure, --tone and --uncompressed are for that,",
-            "and --mix, which makes lights brighter, darker or of another colour afterwards; in exr the layers that still hold are then kept."
+            "A picture becomes one of another format: png, jpg, hdr, exr …, its light alone, without opacity and layers; --bits, --exposure, --tone and --uncompressed are for that, "
+                    + "and --mix, which makes lights brighter, darker or of another colour afterwards; in exr the layers that still hold are then kept."
         },
         footer = {"", "Examples:", "  paprsek convert showcase.xml showcase.pov", "  paprsek convert mine.xml tidy.xml",
             "  paprsek convert thing.csg thing.xml", "  paprsek convert part.stl part.obj",
@@ -65,7 +65,7 @@ final class ConvertCommand implements Callable<Integer> {
     @Parameters(index = "0", paramLabel = "SCENE", description = "A scene file, or one of another program, or a picture; - is standard input.")
     private Path scene;
 
-    @Parameters(index = "1", paramLabel = "FILE", description = "The file to write, ending in .pov, .xml, .obj or .stl, or as pictures do.")
+    @Parameters(index = "1", paramLabel = "FILE", description = "The file to write; its ending is pov, xml, obj or stl, or that of a picture.")
     private Path target;
 
     @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)

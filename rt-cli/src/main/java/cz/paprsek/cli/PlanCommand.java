@@ -70,10 +70,10 @@ final class PlanCommand implements Callable<Integer> {
     @Option(names = "--memory", paramLabel = "MB", defaultValue = "2048", description = "Memory for each share, and for putting them together, in units of 2^20 bytes. Default: 2048.")
     private int memory;
 
-    @Option(names = "--parts", paramLabel = "DIR", description = "Where the parts go. Default: the scene's name and .parts.")
+    @Option(names = "--parts", paramLabel = "DIR", description = "Where the parts go. Default: NAME.parts, by the scene's name.")
     private Optional<String> parts;
 
-    @Option(names = "--picture", paramLabel = "FILE", description = "Where the picture goes. Default: the scene's name and .png.")
+    @Option(names = "--picture", paramLabel = "FILE", description = "Where the picture goes. Default: NAME.png, by the scene's name.")
     private Optional<String> picture;
 
     @Option(names = "--program", paramLabel = "COMMAND", defaultValue = "paprsek", description = "How Paprsek is called on the nodes of Slurm. Default: paprsek.")

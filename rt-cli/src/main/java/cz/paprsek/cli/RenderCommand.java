@@ -73,7 +73,8 @@ import picocli.CommandLine.Spec;
             "  paprsek render a.xml --shard 3/8 -o parts  an eighth of it, see merge",
             "  paprsek render a.xml --mistake full-fovy,no-shadow -o wrong.png",
             "  paprsek render flight.xml --frames 1-250 -o 'out/flight-{frame}.png'",
-        "  paprsek render flight.xml --frames 1-250 --format y4m -o - | ffmpeg -i - flight.mp4",
+        "  paprsek render flight.xml --frames 1-250 --format y4m -o - \\",
+        "      | ffmpeg -i - flight.mp4",
         "  paprsek render a.xml b.xml --json --quiet  one JSON object a line"
         })
 final class RenderCommand implements Callable<Integer> {

@@ -45,7 +45,8 @@ import picocli.CommandLine.Parameters;
             "",
             "Examples:",
             "  paprsek worksheet csg.xml --pixel 480,300 -o sheet.pdf",
-            "  paprsek worksheet csg.xml --pixel 480,300 --pixel 200,400 --seed 7 --language cs -o 7.html"
+            "  paprsek worksheet csg.xml --pixel 480,300 --pixel 200,400 --seed 7 \\",
+            "      --language cs -o 7.html"
         })
 final class WorksheetCommand implements Callable<Integer> {
     private final Terminal terminal;

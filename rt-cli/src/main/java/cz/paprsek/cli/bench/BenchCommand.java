@@ -33,8 +33,8 @@ import picocli.CommandLine.Option;
             "Examples:",
             "  paprsek bench",
             "  paprsek bench --against povray                  in turn with POV-Ray",
-            "  paprsek bench --against mitsuba                 paths, and rays in turn with Embree",
-            "  paprsek bench --against-jar old.jar --rounds 9  whether a change made it slower",
+            "  paprsek bench --against mitsuba                 paths, and rays by its Embree",
+            "  paprsek bench --against-jar old.jar --rounds 9  whether it got slower",
             "  paprsek bench --scale --rounds 3                how time and memory grow",
             "  paprsek bench --scene few --scene cloud1M --threads 2 --json"
         })
