@@ -2,7 +2,6 @@ package cz.paprsek.fx.view.camera;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.CutPlane;
 import cz.paprsek.fx.model.edit.Visible;
 import cz.paprsek.fx.model.motion.Clock;
@@ -17,7 +16,6 @@ import cz.paprsek.render.Tile;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
-import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -56,6 +54,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     private final EditorModel model;
     private final LivePicture picture;
     private final CameraHand hand;
+    private final PictureSelection selection;
     private final ReadOnlyObjectWrapper<Optional<PicturePoint>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
     /** Held here, because the model, which may outlive the pane, holds it weakly. */
     private final ChangeListener<EditorState> onState;
@@ -95,6 +94,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         this.visible = Visible.of(view.seen(model.state()));
         this.picture = new LivePicture(visible.scene(), model.assets(), onFault);
         this.hand = new CameraHand(picture, view);
+        this.selection = new PictureSelection(model);
         this.awaited = new AwaitedClick(picture);
         Label size = new Label();
         size.getStyleClass().add("picture-size");
@@ -269,7 +269,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
 
     private void point(Optional<PicturePoint> at) {
         pointed.set(at);
-        Optional<BodyAt> under = at.filter(point -> objects.isPresent()).flatMap(this::body).map(this::deeper)
+        Optional<BodyAt> under = at.filter(point -> objects.isPresent()).flatMap(this::body).map(selection::deeper)
                 .filter(body -> !model.state().isLocked(body) && objects.filter(ObjectHand::isOnHandle).isEmpty());
         if (!under.equals(hovered)) {
             hovered = under;
@@ -359,43 +359,13 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         }
         Optional<PicturePoint> point = picture.at(event.getX(), event.getY());
         if (event.getButton() == MouseButton.SECONDARY) {
-            point.flatMap(this::body).filter(body -> !isWithinSelection(body))
-                    .ifPresent(body -> select(body.object(), false));
+            point.flatMap(this::body).ifPresent(selection::ask);
             menu.ifPresent(known -> known.show(picture, event.getScreenX(), event.getScreenY()));
             return;
         }
         if (event.getButton() != MouseButton.PRIMARY || awaited.end(point) || point.isEmpty() || clickedFirst.test(point.get())) {
             return;
         }
-        boolean more = event.isShiftDown() || event.isShortcutDown();
-        Optional<ScenePath> seen = point.get().place().map(visible::original);
-        if (seen.isPresent()) {
-            select(seen.get() instanceof BodyAt innermost && !event.isAltDown() ? more ? innermost.object() : deeper(innermost) : seen.get(), more);
-        } else if (!more) {
-            model.select();
-        }
-    }
-
-    private boolean isWithinSelection(BodyAt body) {
-        return Places.bodies(model.selection()).stream().anyMatch(selected -> selected.equals(body) || selected.holds(body));
-    }
-
-    /** The object, or what is one level further inside if that is selected already. */
-    private BodyAt deeper(BodyAt innermost) {
-        if (model.selection().size() == 1 && model.selection().iterator().next() instanceof BodyAt selected && selected.holds(innermost)) {
-            return selected.child(innermost.numbers().get(selected.depth() + 1));
-        }
-        return innermost.object();
-    }
-
-    private void select(ScenePath chosen, boolean more) {
-        if (model.state().isLocked(chosen)) {
-            return;
-        }
-        Set<ScenePath> selection = new LinkedHashSet<>(more ? model.selection() : Set.of());
-        if (!more || !selection.remove(chosen)) {
-            selection.add(chosen);
-        }
-        model.select(selection);
+        selection.click(event, point.get().place().map(visible::original));
     }
 }
