@@ -56,4 +56,40 @@ public interface RenderMonitor {
     default boolean passed(Image image, Supplier<Layers> layers, int passes) {
         return true;
     }
+
+    /** One that asks and tells another one all that it does not answer itself. */
+    interface PassingOn extends RenderMonitor {
+        /** The other one. */
+        RenderMonitor own();
+
+        @Override
+        default boolean cancelled() {
+            return own().cancelled();
+        }
+
+        @Override
+        default void traced(long rays) {
+            own().traced(rays);
+        }
+
+        @Override
+        default boolean wantsRows() {
+            return own().wantsRows();
+        }
+
+        @Override
+        default void found(Tile tile, Image image, int done, int total) {
+            own().found(tile, image, done, total);
+        }
+
+        @Override
+        default void finished(Tile tile, Image image, int done, int total) {
+            own().finished(tile, image, done, total);
+        }
+
+        @Override
+        default boolean passed(Image image, Supplier<Layers> layers, int passes) {
+            return own().passed(image, layers, passes);
+        }
+    }
 }

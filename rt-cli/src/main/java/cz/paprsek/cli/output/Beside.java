@@ -4,14 +4,12 @@ import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles.GrowingPng;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
-import cz.paprsek.image.Layers;
 import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.function.Supplier;
 
 /** What is done beside the rays, by processors they leave over, and would be waited for in the end: the scene's digest, and of a PNG that takes about a second the rows that are complete. */
 final class Beside implements AutoCloseable {
@@ -60,43 +58,30 @@ final class Beside implements AutoCloseable {
 
     /** Tells all to another monitor. */
     RenderMonitor telling(RenderMonitor other) {
-        return new RenderMonitor() {
-            @Override
-            public boolean cancelled() {
-                return other.cancelled();
-            }
-
-            @Override
-            public boolean wantsRows() {
-                return bits.isPresent();
-            }
-
-            @Override
-            public void traced(long rays) {
-                other.traced(rays);
-            }
-
-            @Override
-            public void found(Tile tile, Image image, int done, int total) {
-                Beside.this.finished(tile, image, done, total);
-                other.found(tile, image, done, total);
-            }
-
-            @Override
-            public void finished(Tile tile, Image image, int done, int total) {
-                Beside.this.finished(tile, image, done, total);
-                other.finished(tile, image, done, total);
-            }
-
-            @Override
-            public boolean passed(Image image, Supplier<Layers> layers, int passes) {
-                return other.passed(image, layers, passes);
-            }
-        };
+        return new Telling(other, this);
     }
 
     @Override
     public void close() {
         png.ifPresent(GrowingPng::close);
+    }
+
+    private record Telling(RenderMonitor own, Beside beside) implements RenderMonitor.PassingOn {
+        @Override
+        public boolean wantsRows() {
+            return beside.bits.isPresent();
+        }
+
+        @Override
+        public void found(Tile tile, Image image, int done, int total) {
+            beside.finished(tile, image, done, total);
+            own.found(tile, image, done, total);
+        }
+
+        @Override
+        public void finished(Tile tile, Image image, int done, int total) {
+            beside.finished(tile, image, done, total);
+            own.finished(tile, image, done, total);
+        }
     }
 }

@@ -11,9 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
-import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.paint.Color;
 
 /** A colour as a picker and three fields from 0 to 255. */
@@ -45,14 +43,7 @@ final class ColorEditor implements PropertyEditor {
             NumberField field = new NumberField(part, edit, texts);
             // Colours of metals are computed, and have more decimals than there is room for, or than can be seen.
             field.round();
-            Label letter = new Label(channel.substring(0, 1).toUpperCase(Locale.ROOT));
-            letter.getStyleClass().addAll("axis", "axis-" + channel);
-            field.dragBy(letter);
-            HBox pair = new HBox(letter, field);
-            pair.setAlignment(Pos.CENTER_LEFT);
-            HBox.setHgrow(field, Priority.ALWAYS);
-            HBox.setHgrow(pair, Priority.ALWAYS);
-            box.getChildren().add(pair);
+            box.getChildren().add(field.behind(channel.substring(0, 1).toUpperCase(Locale.ROOT), channel));
             fields.add(field);
         }
     }

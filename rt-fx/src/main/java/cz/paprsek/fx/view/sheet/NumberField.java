@@ -10,14 +10,18 @@ import cz.paprsek.scene.Scene;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import javafx.css.PseudoClass;
+import javafx.geometry.Pos;
 import javafx.scene.Cursor;
 import javafx.scene.Node;
+import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
 
 /**
  * A number that can be typed, also as a small sum or a formula, stepped with the arrow keys, and dragged by a handle. Shows nothing if several things
@@ -132,6 +136,18 @@ final class NumberField extends TextField implements PropertyEditor {
         handle.addEventHandler(MouseEvent.MOUSE_PRESSED, drag::press);
         handle.addEventHandler(MouseEvent.MOUSE_DRAGGED, drag::move);
         handle.addEventHandler(MouseEvent.MOUSE_RELEASED, event -> edit.commit());
+    }
+
+    /** The field behind a letter by which it can be dragged. */
+    HBox behind(String text, String axis) {
+        Label letter = new Label(text);
+        letter.getStyleClass().addAll("axis", "axis-" + axis);
+        dragBy(letter);
+        HBox pair = new HBox(letter, this);
+        pair.setAlignment(Pos.CENTER_LEFT);
+        HBox.setHgrow(this, Priority.ALWAYS);
+        HBox.setHgrow(pair, Priority.ALWAYS);
+        return pair;
     }
 
     /** Begins to change the number from where it is. */

@@ -11,11 +11,8 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
-import javafx.geometry.Pos;
 import javafx.scene.Node;
-import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 
 /** Three numbers beside each other, each with the letter of its axis, by which it can be dragged. */
 final class VectorEditor implements PropertyEditor {
@@ -34,14 +31,7 @@ final class VectorEditor implements PropertyEditor {
             Property part = property.part(axis);
             NumberField field = new NumberField(part, edit, texts, (scene, change) ->
                     linked.getAsBoolean() ? inProportion(property, scene, axis, change) : part.change(scene, change));
-            Label letter = new Label(axis);
-            letter.getStyleClass().addAll("axis", "axis-" + axis);
-            field.dragBy(letter);
-            HBox pair = new HBox(letter, field);
-            pair.setAlignment(Pos.CENTER_LEFT);
-            HBox.setHgrow(field, Priority.ALWAYS);
-            HBox.setHgrow(pair, Priority.ALWAYS);
-            box.getChildren().add(pair);
+            box.getChildren().add(field.behind(axis, axis));
             fields.add(field);
         }
     }
