@@ -12,13 +12,19 @@ set "place=%place:\=-%"
 set "archive=%cache%\rt-cli-%place::=%.jsa"
 set "compiler="
 set "vectors="
-if not "%~1"=="render" goto long
+set "command=%~1"
+rem "call" and "set" would answer a question for help with their own, so these words go to the program as they are.
+:asked
+if "%~1"=="/?" goto start
+shift /1
+if not "%~1"=="" goto asked
+if not "%command%"=="render" goto long
 call :short %*
 if not errorlevel 1 set "compiler=-XX:TieredStopAtLevel=1"
 if defined compiler goto start
 :long
 rem Vectors of eight floats pay for large files; Java says a line of that.
-if "%~1"=="bench" set "vectors=--add-modules jdk.incubator.vector"
+if "%command%"=="bench" set "vectors=--add-modules jdk.incubator.vector"
 rem A bracket in a name would end the list of names; "?" stands for it there.
 set words=%*
 if not defined words goto start

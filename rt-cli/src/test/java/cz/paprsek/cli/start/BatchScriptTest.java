@@ -81,6 +81,14 @@ class BatchScriptTest {
         assertThat(script()).contains("%compiler%", "set \"compiler=-XX:TieredStopAtLevel=1\"");
     }
 
+    /** Words of the system answer {@code /?} themselves, and the folder of the script is known by the word that is never shifted away. */
+    @Test
+    void whoAsksForHelpIsAnsweredByTheProgram() throws Exception {
+        int asked = script().indexOf("if \"%~1\"==\"/?\" goto start\r\nshift /1\r\n");
+        assertThat(asked).isPositive().isLessThan(script().indexOf(" %*\r\n"));
+        assertThat(script().substring(script().indexOf(":start\r\n"), script().indexOf("exit /b %errorlevel%"))).doesNotContain("call ", "set ");
+    }
+
     /** A closing bracket within a list of words would be the end of the list, and of the script. */
     @Test
     void listsOfWordsHaveNoBrackets() throws Exception {
