@@ -2,6 +2,7 @@ package cz.paprsek.cli;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.cli.input.ChosenScene;
+import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.GradedPictures;
 import cz.paprsek.cli.output.GradeProgress;
 import cz.paprsek.cli.process.ExitCode;
@@ -85,7 +86,7 @@ final class GradeCommand implements Callable<Integer> {
             Scene scene = chosen.of(file);
             Assets assets = chosen.pictures().read(file, scene);
             RenderSettings settings = samples.map(scene.settings()::withSamples).orElse(scene.settings());
-            GradeReport report = new GradeReport(terminal, stop, csv, json, files.size() > 1, drawn);
+            GradeReport report = new GradeReport(terminal, stop, csv, json, files.size() > 1 || !words.get(0).equals(files.get(0).toString()), drawn);
             report.begin();
             Grading grading = new Grading(scene.withSettings(settings), assets, samples.isPresent(), stop);
             int worst = ExitCode.DONE;
@@ -111,7 +112,7 @@ final class GradeCommand implements Callable<Integer> {
         try {
             given = ImageFiles.readStored(picture);
         } catch (IOException e) {
-            terminal.message(Failures.sentence(picture.toString(), e));
+            terminal.message(Failures.sentence(picture.toString(), e) + Foreign.sceneInPlaceOfPicture(picture));
             return ExitCode.BAD_SCENE;
         }
         Grading.Graded graded;

@@ -47,6 +47,14 @@ class GradeCommandTest {
     }
 
     @Test
+    void onePictureOfAFolderIsTold() throws IOException {
+        Path right = picture("a.png");
+        assertThat(Run.cli("grade", scene, folder).out()).startsWith(right + ": right\n");
+        assertThat(Run.cli("grade", scene, folder.resolve("*.png")).out()).startsWith(right + ": right\n");
+        assertThat(Run.cli("grade", scene, scene).err()).endsWith("but looks like a scene; render it, and compare the picture\n");
+    }
+
+    @Test
     void theMistakeIsToldWithItsLineAndShown() throws IOException {
         Path evidence = folder.resolve("why.png");
         Run run = Run.cli("grade", scene, picture("a.ppm", "full-fovy"), "--evidence", evidence);
