@@ -21,12 +21,12 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Trees of all kinds, and one thread and two, show the same pictures, to the last bit. Which kind there is, a virtual machine knows from its start: so some are started. */
+/** Trees of all kinds, one thread and two, and both of Java's compilers show the same pictures, to the last bit. Which kind there is, a virtual machine knows from its start: so some are started. */
 class KernelsTest {
     @Test
     void picturesAreTheSameWithVectorsAndWithout() throws Exception {
         Process vectors = start("--add-modules", "jdk.incubator.vector", "-Dpaprsek.kernel=vector", "-Dpaprsek.threads=2");
-        Process scalar = start("-Dpaprsek.kernel=scalar", "-Dpaprsek.threads=1");
+        Process scalar = start("-XX:TieredStopAtLevel=1", "-Dpaprsek.kernel=scalar", "-Dpaprsek.threads=1");
         List<String> with = vectors.inputReader().lines().toList();
         List<String> without = scalar.inputReader().lines().toList();
         assertThat(vectors.waitFor()).isZero();
