@@ -196,13 +196,13 @@ final class Figures {
 
     /**
      * The box around what a few items cover here or have covered in another scene; empty if that is not known to be within their boxes, or if something else is
-     * otherwise there.
+     * otherwise there. Places of the other scene need not be in this one.
      */
     @SuppressWarnings("ReferenceEquality")
     Optional<Box> changed(Scene before, Set<ScenePath> some, Set<ScenePath> more) {
         Set<ScenePath> items = new HashSet<>(some.size() <= FEW ? some : Set.of());
         items.addAll(more.size() <= FEW ? more : Set.of());
-        if (!items.containsAll(some) || !items.containsAll(more) || !areWithinBoxes(items) || !isLike(before, items)) {
+        if (!items.containsAll(some) || !items.containsAll(more) || !isLike(before, items) || !areWithinBoxes(items)) {
             return Optional.empty();
         }
         Box box = Box.EMPTY;

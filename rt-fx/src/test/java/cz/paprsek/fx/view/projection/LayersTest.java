@@ -8,6 +8,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.model.edit.Structure;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.look.Layer;
 import cz.paprsek.fx.view.look.Theme;
@@ -17,9 +18,12 @@ import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Sphere;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -27,7 +31,9 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.geometry.Point2D;
 import javafx.scene.image.WritableImage;
+import javafx.scene.input.MouseButton;
 import javafx.scene.layout.StackPane;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -90,6 +96,43 @@ class LayersTest {
                 model.select();
             });
             assertThat(differing(before, pixels(gui))).as("pixels that are otherwise after undoing").isZero();
+        }
+    }
+
+    /** As when what is dragged is deleted, or all that there is is put into a group, before the button is let go. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aDragMayEndWithFewerObjects(boolean isGrouped) {
+        List<Throwable> faults = new CopyOnWriteArrayList<>();
+        Gui.on(() -> {
+            model.open(balls(2));
+            return true;
+        });
+        try (Gui gui = Gui.show(() -> pane, 400, 300)) {
+            gui.act(() -> Thread.currentThread().setUncaughtExceptionHandler((thread, fault) -> faults.add(fault)));
+            gui.act(() -> model.select(isGrouped ? Set.of(ScenePath.body(0), ScenePath.body(1)) : Set.of(ScenePath.body(1))));
+            Point2D from = Gui.on(() -> pane.toPane(Vec3.X));
+            gui.moveTo(pane, from.getX(), from.getY());
+            gui.press(MouseButton.PRIMARY);
+            gui.moveTo(pane, from.getX() + 20, from.getY() + 20);
+            gui.moveTo(pane, from.getX() + 40, from.getY() + 20);
+            assertThat(Gui.on(() -> model.gesturingProperty().get())).isTrue();
+            gui.act(() -> {
+                if (isGrouped) {
+                    pane.edits().combine(Csg.Operation.UNION);
+                } else {
+                    model.editState(Label.of(Label.Edit.DELETE), state -> Structure.delete(state, state.selection()));
+                }
+            });
+            gui.release(MouseButton.PRIMARY);
+            gui.act(() -> model.select());
+            assertThat(model.scene().objects()).hasSize(1);
+            assertThat(faults).isEmpty();
+            int[] mended = pixels(gui);
+            gui.act(() -> pane.zoom(2));
+            gui.act(() -> pane.zoom(0.5));
+            assertThat(differing(mended, pixels(gui))).as("pixels that are otherwise when all is drawn anew").isZero();
+            gui.act(() -> Thread.currentThread().setUncaughtExceptionHandler(null));
         }
     }
 
