@@ -14,6 +14,8 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -53,6 +55,17 @@ class RenderModeTest {
         assertThat(image.argb(MIDDLE_X, MIDDLE_Y) & 0xFF).isGreaterThan(250);
         assertThat(image.red(MIDDLE_X + 4, MIDDLE_Y)).isLessThan(image.red(MIDDLE_X, MIDDLE_Y));
         assertThat(image.red(0, 0)).isLessThan(image.red(MIDDLE_X + 4, MIDDLE_Y)).isPositive();
+    }
+
+    /** A floor that ends at the horizon is some 100 times as far away there as the ball, in whose middle it would be nearly white. */
+    @Test
+    void aHorizonLeavesWhatIsBeforeItApart() throws SceneFileException {
+        Scene floor = SceneFiles.parse("<scene xmlns='urn:paprsek:scene:1'><render width='33' height='25'/><camera position='0 1 5' target='0 1 0'/>"
+                + "<plane/><sphere radius='1' position='0 1 0'/></scene>");
+        Image image = render(floor, RenderMode.DEPTH);
+        int ball = image.argb(MIDDLE_X, MIDDLE_Y) & 0xFF;
+        assertThat(image.argb(MIDDLE_X, 24) & 0xFF).as("in front of it").isGreaterThan(ball + 25);
+        assertThat(image.argb(0, MIDDLE_Y + 1) & 0xFF).as("behind it").isLessThan(ball - 25).isPositive();
     }
 
     @Test

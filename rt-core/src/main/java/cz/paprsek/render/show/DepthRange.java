@@ -5,6 +5,7 @@ import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.World;
+import java.util.Arrays;
 
 /** The distances that the eye sees in a picture, by which depths become brightnesses. */
 public record DepthRange(double nearest, double farthest) {
@@ -13,25 +14,30 @@ public record DepthRange(double nearest, double farthest) {
 
     /** Rays along each side of the picture that are asked for their distance: a coarse grid is enough for a good contrast. */
     private static final int GRID = 64;
+    /** A plain that goes on to the horizon would leave all before it in one white: what is so many times as far as half of all that is seen is told apart no more. */
+    private static final double FAR = 3;
     /** What nothing but the background is darker than, as an sRGB channel. */
     private static final double DARKEST = 25;
 
     /** Looks through a grid of points all over the picture. */
     public static DepthRange of(World scene, Eye eye, int width, int height) {
         Whitted tracer = new Whitted(scene, 1, Sampling.grid(1));
-        double nearest = Double.POSITIVE_INFINITY;
-        double farthest = 0;
+        double[] seen = new double[GRID * GRID];
+        int count = 0;
         for (int row = 0; row < GRID; row++) {
             for (int column = 0; column < GRID; column++) {
                 tracer.startAlone(eye, (column + 0.5) * width / GRID, (row + 0.5) * height / GRID);
                 tracer.findAlone();
                 if (tracer.alone().ray.part >= 0) {
-                    nearest = Math.min(nearest, tracer.alone().ray.max);
-                    farthest = Math.max(farthest, tracer.alone().ray.max);
+                    seen[count++] = tracer.alone().ray.max;
                 }
             }
         }
-        return new DepthRange(nearest, farthest);
+        if (count == 0) {
+            return NONE;
+        }
+        Arrays.sort(seen, 0, count);
+        return new DepthRange(seen[0], Math.min(seen[count - 1], FAR * seen[count / 2]));
     }
 
     /** Light that is encoded as 255 where it is nearest, falling evenly with the distance. */
