@@ -98,8 +98,8 @@ public class BreakFormulas {
             new Break("mirrored rays that go into the surface", "render/integrate/Bent.java", "return -2 * (beyond ? Math.max(0, along) : Math.min(0, along));", "return 0;"),
             new Break("light from behind on bumps", "render/integrate/Bent.java", "return (itself > 0) == (facing > 0) || (hit.isRounded && facing > 0 && itself > -ROUNDED) ? facing : 0;", "return facing;"),
             new Break("shares decoded as if they were light", "render/surface/Variety.java", "Paint.of(by.pattern(), toDeclared, textures, false)", "Paint.of(by.pattern(), toDeclared, textures, true)"),
-            new Break("luminance as the mean of three", "material/Material.java", "0.2126 * red + 0.7152 * green + 0.0722 * blue", "(red + green + blue) / 3"),
-            new Break("the pattern's smallest share for its greatest", "material/Material.java", "mapToDouble(channel::of).max().orElse(1)", "mapToDouble(channel::of).min().orElse(1)"));
+            new Break("luminance as the mean of three", "material/Share.java", "0.2126 * red + 0.7152 * green + 0.0722 * blue", "(red + green + blue) / 3"),
+            new Break("the pattern's smallest share for its greatest", "material/Share.java", "mapToDouble(channel::of).max().orElse(1)", "mapToDouble(channel::of).min().orElse(1)"));
 
     /** The quick ones first. */
     private static final List<String> TESTS = List.of("ReferenceSceneTest", "TextbookTest", "EyeTest", "AbsorptionTest", "SlopeTest", "ClosedFormTest", "FresnelTest", "ReliefTest",

@@ -27,11 +27,15 @@ class KernelsTest {
     void picturesAreTheSameWithVectorsAndWithout() throws Exception {
         Process vectors = start("--add-modules", "jdk.incubator.vector", "-Dpaprsek.kernel=vector", "-Dpaprsek.threads=2");
         Process scalar = start("-XX:TieredStopAtLevel=1", "-Dpaprsek.kernel=scalar", "-Dpaprsek.threads=1");
+        Process compiled = start("-Dpaprsek.kernel=scalar", "-Dpaprsek.threads=1", "-Dpaprsek.some");
         List<String> with = vectors.inputReader().lines().toList();
         List<String> without = scalar.inputReader().lines().toList();
+        List<String> twice = compiled.inputReader().lines().toList();
         assertThat(vectors.waitFor()).isZero();
+        assertThat(compiled.waitFor()).isZero();
         assertThat(scalar.waitFor()).isZero();
         assertThat(without.get(0)).isEqualTo("scalar");
+        assertThat(twice).hasSize(10).allMatch(without::contains);
         assumeTrue(with.get(0).contains("vectors"), "this machine has no vectors of eight floats or more");
         assertThat(with).hasSizeGreaterThan(75);
         assertThat(with.subList(1, with.size())).isEqualTo(without.subList(1, without.size()));
