@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.process.Columns;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Interruption;
 import cz.paprsek.cli.process.Stop;
@@ -138,7 +139,13 @@ final class LessonCommand implements Callable<Integer> {
         return said.in(Locale.forLanguageTag(language.name()));
     }
 
+    /** Lines that every terminal shows whole; those below the first begin where its text does. */
     private void say(String mark, String text) {
-        terminal.result(Letters.fit(mark + text));
+        String from = Letters.fit(mark);
+        String indent = " ".repeat(Columns.of(from));
+        List<String> lines = Columns.lines(Letters.fit(text), Columns.USUAL - indent.length());
+        for (int i = 0; i < lines.size(); i++) {
+            terminal.result((i == 0 ? from : indent) + lines.get(i));
+        }
     }
 }

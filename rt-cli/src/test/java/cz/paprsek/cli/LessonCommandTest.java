@@ -2,6 +2,7 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.cli.process.Columns;
 import cz.paprsek.lesson.Lessons;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -33,8 +34,16 @@ class LessonCommandTest {
     void theTeacherGetsAllAnswers() {
         Run run = Run.cli("lesson", "sphere");
         assertThat(run.code()).as(run.err()).isZero();
-        assertThat(run.out()).contains("Where a ray meets a ball", "At which t does it meet the ball?", "= 4.2  ", "0.6 0 0.8", "5.8");
+        assertThat(run.out().replaceAll("\\s+", " ")).contains("Where a ray meets a ball", "At which t does it meet the ball?", "= 4.2 ", "0.6 0 0.8", "5.8");
         assertThat(run.err()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "cs"})
+    void everyTerminalShowsWholeLines(String language) {
+        for (String name : Lessons.NAMES) {
+            assertThat(Run.cli("lesson", name, "--language", language).out().lines()).as(name).allMatch(line -> Columns.of(line) <= Columns.USUAL);
+        }
     }
 
     @Test

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /** How wide things are on the terminal. */
@@ -41,6 +43,21 @@ public final class Columns {
     /** How many columns a text takes. */
     public static int of(String text) {
         return text.codePoints().map(Columns::of).sum();
+    }
+
+    /** A text in lines of so many columns at most, broken at spaces; what has none stays whole. */
+    public static List<String> lines(String text, int columns) {
+        List<String> lines = new ArrayList<>();
+        StringBuilder line = new StringBuilder();
+        for (String word : text.split(" ", -1)) {
+            if (!line.isEmpty() && of(line.toString()) + 1 + of(word) > columns) {
+                lines.add(line.toString());
+                line.setLength(0);
+            }
+            line.append(line.isEmpty() ? "" : " ").append(word);
+        }
+        lines.add(line.toString());
+        return lines;
     }
 
     /** The end of a text that fits into so many columns, with dots where something is missing. */
