@@ -15,9 +15,11 @@ set "vectors="
 set "command=%~1"
 rem "call" and "set" would answer a question for help with their own, so these words go to the program as they are.
 :asked
-if "%~1"=="/?" goto start
+rem Quotes may stand within a word, so the word is not put into others; an empty one is two quotes.
+if [%1]==[/?] goto start
+if [%1]==["/?"] goto start
 shift /1
-if not "%~1"=="" goto asked
+if not [%1]==[] goto asked
 if not "%command%"=="render" goto long
 call :short %*
 if not errorlevel 1 set "compiler=-XX:TieredStopAtLevel=1"

@@ -86,7 +86,7 @@ final class GradeCommand implements Callable<Integer> {
             Scene scene = chosen.of(file);
             Assets assets = chosen.pictures().read(file, scene);
             RenderSettings settings = samples.map(scene.settings()::withSamples).orElse(scene.settings());
-            GradeReport report = new GradeReport(terminal, stop, csv, json, files.size() > 1 || !words.get(0).equals(files.get(0).toString()), drawn);
+            GradeReport report = new GradeReport(terminal, stop, csv, json, files.size() > 1 || !Path.of(words.get(0)).equals(files.get(0)), drawn);
             report.begin();
             Grading grading = new Grading(scene.withSettings(settings), assets, samples.isPresent(), stop);
             int worst = ExitCode.DONE;

@@ -130,7 +130,7 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
     public List<String> obstacles(Stop stop) throws IOException {
         List<String> sentences = new ArrayList<>(foreign);
         sentences.addAll(damaged);
-        if (parts.isEmpty() && frames.isPresent() && !new PartsFolder(folder).files(Optional.empty()).isEmpty()) {
+        if (parts.isEmpty() && sentences.isEmpty() && frames.isPresent() && !new PartsFolder(folder).files(Optional.empty()).isEmpty()) {
             sentences.add(folder + ": none of its parts is of the frames asked for; without --frames, all that is there is put together");
             return sentences;
         }

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -104,6 +105,12 @@ class ShardsTest {
         assertThat(Run.cli("merge", parts, "--frames", "3-4", "-o", folder.resolve("{frame}.ppm")).err()).contains("of 1 of 2 frames tiles are missing: 3;", "--shard 1/2 ");
         Run other = film(scene, "--frames 1-16 --fps 20", "--shard", "2/2", "-o", parts);
         assertThat(other.err()).contains("of another scene");
+        try (Stream<Path> files = Files.list(parts.resolve("frame-000004"))) {
+            for (Path file : files.toList()) {
+                Files.write(file, Arrays.copyOf(Files.readAllBytes(file), 300));
+            }
+        }
+        assertThat(Run.cli("merge", parts, "--frames", "4", "-o", folder.resolve("{frame}.ppm")).err()).contains(": cut off, it has 300 bytes").doesNotContain("none of its parts");
     }
 
     /** Shares of its beginning, then of all of it: all of it is put together, and the line of what is missing names all its frames. */

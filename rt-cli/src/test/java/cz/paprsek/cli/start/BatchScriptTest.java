@@ -84,7 +84,7 @@ class BatchScriptTest {
     /** Words of the system answer {@code /?} themselves, and the folder of the script is known by the word that is never shifted away. */
     @Test
     void whoAsksForHelpIsAnsweredByTheProgram() throws Exception {
-        int asked = script().indexOf("if \"%~1\"==\"/?\" goto start\r\nshift /1\r\n");
+        int asked = script().indexOf("if [%1]==[/?] goto start\r\nif [%1]==[\"/?\"] goto start\r\nshift /1\r\n");
         assertThat(asked).isPositive().isLessThan(script().indexOf(" %*\r\n"));
         assertThat(script().substring(script().indexOf(":start\r\n"), script().indexOf("exit /b %errorlevel%"))).doesNotContain("call ", "set ");
     }
