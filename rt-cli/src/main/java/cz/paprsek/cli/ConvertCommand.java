@@ -148,7 +148,7 @@ final class ConvertCommand implements Callable<Integer> {
             // Light that is mixed is exposed and toned as the picture was, if not otherwise: its own options follow.
             ImageOptions how = read.toldIn(shown.applyTo(writing.options().withExposure(read.written().exposure()).withTone(read.written().tone())));
             boolean isLayered = format == ImageFormat.EXR && !read.layers().names().isEmpty();
-            stop.guard(() -> {
+            stop.write(target, () -> {
                 if (isLayered) {
                     ImageFiles.write(read.image(), read.layers(), target, how);
                 } else {
@@ -196,7 +196,7 @@ final class ConvertCommand implements Callable<Integer> {
         List<String> warnings = new ArrayList<>();
         try {
             refuseItself("scene");
-            stop.guard(() -> {
+            stop.write(target, () -> {
                 switch (ending) {
                     case "pov" -> {
                         warnings.addAll(belongings(content, true));

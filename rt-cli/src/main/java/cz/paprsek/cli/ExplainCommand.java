@@ -207,7 +207,7 @@ final class ExplainCommand implements Callable<Integer> {
 
     private boolean draw(String drawing, Path target) {
         try {
-            stop.guard(() -> AtomicFile.write(target, out -> out.write(drawing.getBytes(StandardCharsets.UTF_8))));
+            stop.write(target, () -> AtomicFile.write(target, out -> out.write(drawing.getBytes(StandardCharsets.UTF_8))));
             return true;
         } catch (IOException e) {
             terminal.message(Failures.sentence(target.toString(), e));

@@ -16,7 +16,6 @@ import cz.paprsek.teach.mistake.Mistakes;
 import cz.paprsek.words.Words;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -126,10 +125,7 @@ record GradeReport(Terminal terminal, Stop stop, boolean csv, boolean json, bool
         copy(graded.wrong().image(), four, 0, given.height());
         copy(ImageComparison.heatmap(graded.given(), graded.wrong(), graded.left().tolerance()), four, given.width(), given.height());
         try {
-            if (target.getParent() != null) {
-                Files.createDirectories(target.getParent());
-            }
-            stop.guard(() -> ImageFiles.write(four, target, ImageFormat.ofFile(target.toString()).orElse(ImageFormat.PNG)));
+            stop.write(target, () -> ImageFiles.write(four, target, ImageFormat.ofFile(target.toString()).orElse(ImageFormat.PNG)));
             return true;
         } catch (IOException e) {
             terminal.message(Failures.sentence(target.toString(), e));

@@ -36,7 +36,7 @@ final class SchemaCommand implements Callable<Integer> {
         byte[] text = SceneFiles.schema().getBytes(StandardCharsets.UTF_8);
         try {
             if (output.isPresent()) {
-                stop.guard(() -> AtomicFile.write(output.get(), out -> out.write(text)));
+                stop.write(output.get(), () -> AtomicFile.write(output.get(), out -> out.write(text)));
             } else {
                 terminal.bytes().write(text);
             }

@@ -106,7 +106,7 @@ final class WorksheetCommand implements Callable<Integer> {
             return ExitCode.FAILED;
         }
         try {
-            stop.guard(() -> AtomicFile.write(output, out -> out.write(page)));
+            stop.write(output, () -> AtomicFile.write(output, out -> out.write(page)));
             return ExitCode.DONE;
         } catch (IOException e) {
             terminal.message(Failures.sentence(output.toString(), e));

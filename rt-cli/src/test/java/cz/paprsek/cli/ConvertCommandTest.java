@@ -75,7 +75,6 @@ class ConvertCommandTest {
                 new Wrong(List.of(light, light), 2, "would overwrite the picture"),
                 new Wrong(List.of(light, folder.resolve("a.png"), "--bits", "32"), 2, "png has 8 or 16 bits per channel, not 32"),
                 new Wrong(List.of(light, folder.resolve("a.png"), "--exposure", "1000"), 2, "from -100 to 100"),
-                new Wrong(List.of(light, folder.resolve("no/a.png")), 1, "there is no such folder"),
                 new Wrong(List.of(Files.writeString(folder.resolve("b.exr"), "no"), folder.resolve("a.png")), 3, "b.exr: this is not a picture"),
                 new Wrong(List.of(scene, folder.resolve("a.pov"), "--exposure", "1"), 2, "are for pictures, which " + scene + " is not"))) {
             List<Object> words = new ArrayList<>(List.of("convert"));
@@ -202,9 +201,6 @@ class ConvertCommandTest {
         Run broken = Run.cli("convert", Scenes.broken(folder.resolve("broken.xml")), folder.resolve("b.pov"));
         assertThat(broken.code()).isEqualTo(3);
         assertThat(broken.err()).contains("did you mean \"radius\"?");
-        Run nowhere = Run.cli("convert", scene, folder.resolve("no/b.pov"));
-        assertThat(nowhere.code()).isEqualTo(1);
-        assertThat(nowhere.err()).contains("there is no such folder").hasLineCount(1);
         Files.writeString(folder.resolve("two.xml"), SceneFiles.formatAll(List.of(Scene.EMPTY.withName("a"), Scene.EMPTY.withName("b"))));
         assertThat(Run.cli("convert", folder.resolve("two.xml"), folder.resolve("b.pov")).err()).contains("is a database of 2 scenes");
         assertThat(folder.resolve("b.pov")).doesNotExist();

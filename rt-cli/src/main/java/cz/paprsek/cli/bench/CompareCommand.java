@@ -110,7 +110,7 @@ public final class CompareCommand implements Callable<Integer> {
         if (heatmap.isPresent()) {
             ImageFormat format = ImageFormat.ofFile(heatmap.get().toString()).orElse(ImageFormat.PNG);
             try {
-                stop.guard(() -> ImageFiles.write(ImageComparison.heatmap(a, b, allowed), heatmap.get(), format));
+                stop.write(heatmap.get(), () -> ImageFiles.write(ImageComparison.heatmap(a, b, allowed), heatmap.get(), format));
             } catch (IOException e) {
                 terminal.message(Failures.sentence(heatmap.get().toString(), e));
                 return false;

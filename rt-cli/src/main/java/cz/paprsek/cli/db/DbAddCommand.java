@@ -71,7 +71,7 @@ final class DbAddCommand extends DbAction {
                 return all.scenes();
             }, from);
         } else {
-            stop.guard(() -> {
+            stop.write(file, () -> {
                 takeAlong(texts);
                 create(more.scenes(), from);
             });

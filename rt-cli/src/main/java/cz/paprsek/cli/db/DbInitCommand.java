@@ -39,7 +39,7 @@ final class DbInitCommand extends DbAction {
             throw new WrongUsage(file + " exists already; --force overwrites it");
         }
         SceneDatabase content = empty ? SceneDatabase.EMPTY : SceneFiles.examples();
-        stop.guard(() -> SceneFiles.writeAll(content.scenes(), file));
+        stop.write(file, () -> SceneFiles.writeAll(content.scenes(), file));
         done(file + ": " + scenes(content.size()));
     }
 }

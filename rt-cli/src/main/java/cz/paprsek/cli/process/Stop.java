@@ -2,6 +2,10 @@ package cz.paprsek.cli.process;
 
 import java.io.IOException;
 import java.io.InterruptedIOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -61,6 +65,23 @@ public final class Stop {
     public synchronized void ended() {
         ended = true;
         notifyAll();
+    }
+
+    /**
+     * Writes a file, as {@link #guard} does, into a folder that is made if it is not there.
+     *
+     * @throws IOException also if the folder cannot be made
+     */
+    public void write(Path file, Writing writing) throws IOException {
+        guard(() -> {
+            Path folder = Objects.requireNonNull(file.toAbsolutePath().getParent());
+            try {
+                Files.createDirectories(folder);
+            } catch (FileAlreadyExistsException occupied) {
+                throw new IOException(folder + " is not a directory, so nothing can be written there", occupied);
+            }
+            writing.run();
+        });
     }
 
     /** Writes a file unless a stop was asked for; a stop asked for meanwhile interrupts it. */

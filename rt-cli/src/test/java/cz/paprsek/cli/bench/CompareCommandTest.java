@@ -90,6 +90,6 @@ class CompareCommandTest {
         assertThat(scene.err()).endsWith("not a picture of a kind that can be read, but looks like a scene; render it, and compare the picture\n").hasLineCount(1);
         assertThat(Run.cli("compare", good, good, "--tolerance", "-1").err()).contains("--tolerance must be 0 or above, but is -1.0");
         assertThat(Run.cli("compare", good, good, "--at-most", "2").err()).contains("expected a share such as 0.001 or 0.1%, but found '2'");
-        assertThat(Run.cli("compare", good, good, "--heatmap", folder.resolve("no/map.png")).code()).isEqualTo(1);
+        assertThat(Run.cli("compare", good, good, "--heatmap", good.resolve("map.png")).code()).isEqualTo(1);
     }
 }
