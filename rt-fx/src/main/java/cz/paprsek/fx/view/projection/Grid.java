@@ -103,23 +103,24 @@ final class Grid {
     }
 
     /**
-     * The room that the names of the axes take, first to the right, where the axes leave the pane, pixels: farther from the axis, or on its other side, if a sign is there.
+     * The room that the names of the axes take, first to the right, where the axes leave the pane, pixels: farther from the axis, or on its other side, if a sign or the pane's edge is there.
      *
      * @param signs of lights and cameras, pixels
      */
     static List<Bounds> letters(Viewport view, Axes axes, List<Bounds> signs) {
-        double y = Math.max(18, Math.min(view.height() - 22, view.y(0)));
+        double y = Math.max(20, Math.min(view.height() - 22, view.y(0)));
         double x = Math.max(14, Math.min(view.width() - 14, view.x(0)));
         boolean isRight = axes.worldU(1) > 0;
         double edge = axes.worldV(1) > 0 ? 14 : view.height() - 20;
-        return List.of(room(signs, DoubleStream.of(-5, -13, 18).mapToObj(by -> isRight ? new Point2D(view.width() - 10, y + by) : new Point2D(10, y - 6 + by))),
-                room(signs, DoubleStream.of(9, 16, -9, -16).mapToObj(by -> new Point2D(x + by, edge))));
+        Bounds pane = new BoundingBox(0, 0, view.width(), view.height());
+        return List.of(room(pane, signs, DoubleStream.of(-5, -13, 18, 26).mapToObj(by -> isRight ? new Point2D(view.width() - 10, y + by) : new Point2D(10, y - 6 + by))),
+                room(pane, signs, DoubleStream.of(9, 16, -9, -16, 23, -23).mapToObj(by -> new Point2D(x + by, edge))));
     }
 
     /** The first that is free, or just the first. */
-    private static Bounds room(List<Bounds> signs, Stream<Point2D> places) {
+    private static Bounds room(Bounds pane, List<Bounds> signs, Stream<Point2D> places) {
         List<Bounds> rooms = places.<Bounds>map(at -> new BoundingBox(at.getX() - 5, at.getY() - 9, 10, 12)).toList();
-        return rooms.stream().filter(room -> signs.stream().noneMatch(room::intersects)).findFirst().orElse(rooms.get(0));
+        return rooms.stream().filter(room -> pane.contains(room) && signs.stream().noneMatch(room::intersects)).findFirst().orElse(rooms.get(0));
     }
 
     static Color color(Axes.Axis axis, Palette palette) {

@@ -12,6 +12,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Block;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
@@ -27,6 +28,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /** The numbers of the grid of a pane of 400 × 300, where something selected is as wide as the pane and its upper side lies in y = 0. */
 class GridNumbersTest {
+    private static final Bounds PANE = new BoundingBox(0, 0, 400, 300);
+
     private final EditorModel model = new EditorModel(Scene.EMPTY.plus(SceneObject.of(new Block(new Vec3(-500, -500, -1), new Vec3(500, 0, 1)))));
 
     @Test
@@ -45,21 +48,35 @@ class GridNumbersTest {
         }
     }
 
-    /** Of a camera that stands on an axis, or close to it, and of lights, wherever along the rim. */
+    /** Of a camera that stands on an axis, or close to it, and of lights, wherever along the rim; the axes in the middle, at each edge and beyond. */
     @ParameterizedTest
     @EnumSource(Axes.class)
-    void lettersOfTheAxesKeepOffSigns(Axes axes) {
-        Viewport view = new Viewport(0.3, -0.2, 40, 400, 300);
+    void lettersOfTheAxesKeepOffSignsAndWithinThePane(Axes axes) {
+        for (double x : new double[] {-90, -1, 0, 6, 188, 394, 400, 401, 490}) {
+            assertLettersAreSeen(axes, x, 142);
+        }
+        for (double y : new double[] {-90, -1, 0, 6, 294, 300, 301, 390}) {
+            assertLettersAreSeen(axes, 188, y);
+        }
+    }
+
+    private static void assertLettersAreSeen(Axes axes, double axisX, double axisY) {
+        Viewport view = new Viewport((200 - axisX) / 40, (axisY - 150) / 40, 40, 400, 300);
+        assertThat(new Point2D(view.x(0), view.y(0))).isEqualTo(new Point2D(axisX, axisY));
         List<Bounds> alone = Grid.letters(view, axes, List.of());
+        List<Bounds> hiding = new ArrayList<>();
         int moved = 0;
-        for (int x = 0; x <= 400; x += 3) {
-            for (int y = 0; y <= 300; y += 3) {
+        for (int x = 0; x <= 400; x += 4) {
+            for (int y = 0; y <= 300; y += 4) {
                 Bounds sign = new BoundingBox(x - 9, y - 9, 18, 18);
                 List<Bounds> letters = Grid.letters(view, axes, List.of(sign));
-                assertThat(letters).noneMatch(sign::intersects).allMatch(new BoundingBox(0, 0, 400, 300)::contains);
+                if (letters.stream().anyMatch(letter -> sign.intersects(letter) || !PANE.contains(letter))) {
+                    hiding.add(sign);
+                }
                 moved += letters.equals(alone) ? 0 : 1;
             }
         }
+        assertThat(hiding).as("signs that letters of axes at %s, %s do not keep off, or leave the pane for", axisX, axisY).isEmpty();
         assertThat(moved).isPositive();
     }
 
