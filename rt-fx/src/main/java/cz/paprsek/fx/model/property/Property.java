@@ -1,6 +1,5 @@
 package cz.paprsek.fx.model.property;
 
-import cz.paprsek.attribute.Described;
 import cz.paprsek.formula.Written;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.material.Share;
@@ -9,6 +8,7 @@ import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.xml.SceneFiles;
+import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -53,7 +53,7 @@ public record Property(Target target, List<String> path, Class<?> type, Trait tr
         Object[] way = new Object[path.size() - 1];
         for (Record record : target.read(scene)) {
             if (!isAsBefore(record, way)) {
-                Optional<Object> value = value(record, path).map(own -> inForce(record, own));
+                Optional<Object> value = value(record, path);
                 if (value.isEmpty() || (common.isPresent() && !common.equals(value))) {
                     return Optional.empty();
                 }
@@ -122,7 +122,7 @@ public record Property(Target target, List<String> path, Class<?> type, Trait tr
     }
 
     /**
-     * The scene with each value changed.
+     * The scene with each value changed from what counts.
      *
      * @throws IllegalArgumentException with the sentence of the record that refuses it
      */
@@ -137,12 +137,12 @@ public record Property(Target target, List<String> path, Class<?> type, Trait tr
 
     private static Record changed(Record record, List<String> path, BiFunction<Record, Object, Object> change) {
         String name = path.get(0);
-        Optional<Object> old = value(record, List.of(name));
-        if (old.isEmpty()) {
+        Optional<RecordComponent> component = Records.component(record.getClass(), name);
+        if (component.isEmpty()) {
             return record;
         }
-        Object fresh = path.size() == 1
-                ? change.apply(record, old.get()) : changed((Record) old.get(), path.subList(1, path.size()), change);
+        Object old = Records.counting(record, component.get());
+        Object fresh = path.size() == 1 ? change.apply(record, old) : changed((Record) old, path.subList(1, path.size()), change);
         if (record instanceof Scene scene && fresh instanceof Scene.Sky sky) {
             return scene.withSky(sky);
         } else if (record instanceof Scene scene && name.equals("background")) {
@@ -150,18 +150,7 @@ public record Property(Target target, List<String> path, Class<?> type, Trait tr
         } else if (record instanceof RenderSettings settings && fresh instanceof Integrator kind) {
             return settings.withIntegrator(kind);
         }
-        return fresh.equals(old.get()) ? record : Records.with(record, name, fresh);
-    }
-
-    /** What stands in for a value that means none given; itself if nothing does, to say that nothing does. */
-    private Object inForce(Record record, Object own) {
-        List<Described> attributes = path.size() == 1 ? Described.of(record.getClass()) : List.of();
-        for (Described one : attributes) {
-            if (!one.says().inForce().isEmpty() && one.component().getName().equals(name())) {
-                return one.inForce(record).orElse(own);
-            }
-        }
-        return own;
+        return fresh == old || fresh.equals(Records.get(record, component.get())) ? record : Records.with(record, name, fresh);
     }
 
     private static Optional<Object> value(Record record, List<String> path) {
@@ -176,7 +165,8 @@ public record Property(Target target, List<String> path, Class<?> type, Trait tr
         return Optional.of(value);
     }
 
+    /** As it counts: what is seen is what changes begin with. */
     private static Optional<Object> value(Record owner, String name) {
-        return Records.component(owner.getClass(), name).map(component -> Records.get(owner, component));
+        return Records.component(owner.getClass(), name).map(component -> Records.counting(owner, component));
     }
 }

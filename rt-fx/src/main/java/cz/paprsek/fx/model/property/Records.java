@@ -1,5 +1,6 @@
 package cz.paprsek.fx.model.property;
 
+import cz.paprsek.attribute.Described;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.RecordComponent;
@@ -15,6 +16,13 @@ final class Records {
         @Override
         protected List<RecordComponent> computeValue(Class<?> type) {
             return List.of(Objects.requireNonNull(type.getRecordComponents(), () -> type + " is no record"));
+        }
+    };
+    /** The attributes that say themselves what counts of them. */
+    private static final ClassValue<List<Described>> IN_FORCE = new ClassValue<>() {
+        @Override
+        protected List<Described> computeValue(Class<?> type) {
+            return Described.of(type).stream().filter(one -> !one.says().inForce().isEmpty()).toList();
         }
     };
 
@@ -42,6 +50,17 @@ final class Records {
         } catch (IllegalAccessException | InvocationTargetException e) {
             throw new IllegalStateException("cannot read " + component, e);
         }
+    }
+
+    /** What stands in for a value that means none given; itself if nothing does, to say that nothing does. */
+    static Object counting(Record record, RecordComponent component) {
+        Object own = get(record, component);
+        for (Described one : IN_FORCE.get(record.getClass())) {
+            if (one.component().getName().equals(component.getName())) {
+                return one.inForce(record).orElse(own);
+            }
+        }
+        return own;
     }
 
     /**

@@ -161,7 +161,7 @@ final class NumberField extends TextField implements PropertyEditor {
         Trait trait = property.trait();
         edit.preview(scene -> writer.write(scene, old -> {
             double start = ((Number) old).doubleValue();
-            return boxed(Steps.moved(trait, start, steps * Steps.step(trait, start)));
+            return steps == 0 ? old : boxed(Steps.moved(trait, start, steps * Steps.step(trait, start)));
         }));
     }
 
