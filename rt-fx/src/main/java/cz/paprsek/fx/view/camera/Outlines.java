@@ -12,15 +12,14 @@ import cz.paprsek.fx.view.rays.BodyOutline;
 import cz.paprsek.fx.view.rays.BodyOutline.Look;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
-import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
-import cz.paprsek.scene.ScenePath.LightAt;
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
@@ -31,9 +30,6 @@ final class Outlines {
     private final CameraView view;
     private final Camera camera;
     private final EditorState state;
-    /** What is drawn together, if it is very much. */
-    private final Map<Look, List<BodyAt>> many = new EnumMap<>(Look.class);
-    private boolean areMany;
 
     Outlines(GraphicsContext g, EditorState state, Camera camera) {
         this.g = g;
@@ -42,40 +38,42 @@ final class Outlines {
         this.state = state;
     }
 
-    /** What is selected: of an operation, or of one of its operands, what is taken away is a ghost. */
+    /** What is selected, above all else: of an operation, and beside one of its operands, what is taken away is a ghost. */
     void selected() {
-        areMany = state.selection().size() > Strokes.MANY
-                || Places.bodies(state.selection()).stream().mapToInt(at -> count(at.parent())).sum() > Strokes.MANY;
-        for (ScenePath item : state.selection()) {
-            if (item instanceof LightAt light && !state.isHidden(item)) {
-                light(LightMoves.place(state.scene().lights().get(light.index())));
-            } else if (item instanceof BodyAt at && !state.isHidden(item)) {
-                if (at.in(state.scene()).operands().isEmpty()) {
-                    siblings(at);
-                    draw(at, Look.STRONG);
-                } else {
-                    operands(at, Optional.empty());
-                }
+        Map<Look, List<BodyAt>> drawn = drawn(state);
+        boolean areMany = drawn.values().stream().flatMap(List::stream).mapToInt(this::count).sum() > Strokes.MANY;
+        drawn.forEach((look, bodies) -> {
+            if (areMany) {
+                together(bodies, look);
+            } else {
+                bodies.forEach(at -> draw(at, look));
+            }
+        });
+        Places.lights(state.selection()).stream().filter(light -> !state.isHidden(light)).forEach(light -> light(LightMoves.place(state.scene().lights().get(light.index()))));
+    }
+
+    /** All bodies that are drawn for what is selected, each once: the lowest first. */
+    static Map<Look, List<BodyAt>> drawn(EditorState state) {
+        Map<Look, List<BodyAt>> drawn = new EnumMap<>(Look.class);
+        Set<BodyAt> operations = new LinkedHashSet<>();
+        for (BodyAt at : Places.bodies(state.selection())) {
+            if (!state.isHidden(at) && at.in(state.scene()).operands().isEmpty()) {
+                drawn.computeIfAbsent(Look.STRONG, key -> new ArrayList<>()).add(at);
+                operations.add(at.parent());
+            } else if (!state.isHidden(at)) {
+                operations.add(at);
             }
         }
-        areMany = false;
-        many.forEach((look, bodies) -> BodyOutline.draw(g, view::line, camera, state.scene(), bodies, look));
+        for (BodyAt operation : operations) {
+            IntStream.range(0, operation.in(state.scene()).operands().size()).mapToObj(operation::child)
+                    .filter(child -> !state.selection().contains(child) && !state.isHidden(child))
+                    .forEach(child -> drawn.computeIfAbsent(look(Arranging.role(state.scene(), child)), key -> new ArrayList<>()).add(child));
+        }
+        return drawn;
     }
 
     private int count(BodyAt at) {
         return at.find(state.scene()).map(Places::count).orElse(0);
-    }
-
-    private void siblings(BodyAt at) {
-        if (at.depth() > 0) {
-            operands(at.parent(), Optional.of(at));
-        }
-    }
-
-    private void operands(BodyAt operation, Optional<BodyAt> without) {
-        Scene scene = state.scene();
-        IntStream.range(0, operation.in(scene).operands().size()).mapToObj(operation::child).filter(child -> !without.equals(Optional.of(child)) && !state.isHidden(child))
-                .forEach(child -> draw(child, look(Arranging.role(scene, child))));
     }
 
     private static Look look(Optional<Role> role) {
@@ -83,13 +81,15 @@ final class Outlines {
     }
 
     void draw(BodyAt at, Look look) {
-        if (!areMany && count(at) > Strokes.MANY) {
-            BodyOutline.draw(g, view::line, camera, state.scene(), List.of(at), look);
-        } else if (areMany) {
-            many.computeIfAbsent(look, key -> new ArrayList<>()).add(at);
+        if (count(at) > Strokes.MANY) {
+            together(List.of(at), look);
         } else {
             BodyOutline.draw(g, view::line, camera.position(), state.scene(), at, look);
         }
+    }
+
+    private void together(List<BodyAt> bodies, Look look) {
+        BodyOutline.draw(g, view::line, camera, state.scene(), bodies, look);
     }
 
     private void light(Vec3 place) {

@@ -37,10 +37,8 @@ public final class BodyOutline {
     /** @param isBelow whether it makes lines seen that are drawn over its own; ghosts have none, and cover little */
     private record Pen(Color color, double width, boolean isDashed, boolean isBelow) {}
 
-    /** How lines are drawn. */
+    /** How lines are drawn: of what is drawn together, later ones above. */
     public enum Look {
-        /** What is spoken of. */
-        STRONG("#ff9b3d", 2),
         /** What is under the mouse. */
         FAINT("#fff3e0", 1),
         /** What is there. */
@@ -48,7 +46,9 @@ public final class BodyOutline {
         /** What is taken away. */
         CUTTER("#f85149", 1.5),
         /** Of which only the common part is left. */
-        COMMON("#58a6ff", 1.5);
+        COMMON("#58a6ff", 1.5),
+        /** What is spoken of. */
+        STRONG("#ff9b3d", 2);
 
         private final String color;
         private final double width;
