@@ -205,6 +205,9 @@ final class Cli {
 
     private static void describe(CommandLine command) {
         CommandSpec spec = command.getCommandSpec();
+        if (spec.userObject() instanceof CommandLine.HelpCommand) {
+            spec.usageMessage().header("Explains a command, as --help after its name does; without a name, the program.").description();
+        }
         if (spec.findOption("--help") == null) {
             spec.addOption(OptionSpec.builder("-h", "--help").usageHelp(true).description("Prints this help and exits.").build());
         }
