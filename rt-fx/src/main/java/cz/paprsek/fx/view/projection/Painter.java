@@ -108,11 +108,7 @@ final class Painter {
         }
         strokes.end();
         ghosts(ghosts, palette.selected());
-        for (ScenePath item : state.selection()) {
-            if (item instanceof ScenePath.BodyAt body && !state.isHidden(item)) {
-                operands(state, body, figures);
-            }
-        }
+        operands(state, figures);
     }
 
     void selectedLights(EditorState state) {
@@ -123,29 +119,36 @@ final class Painter {
         }
     }
 
-    /** Of an operation, or beside one of its operands, the operands by what they do: as the tree colours them. */
-    private void operands(EditorState state, ScenePath.BodyAt selected, Figures figures) {
-        boolean isOperation = !figures.of(selected).operands().isEmpty();
-        if (!isOperation && selected.depth() == 0) {
-            return;
-        }
-        ScenePath.BodyAt operation = isOperation ? selected : selected.parent();
-        double width = isOperation ? 1.8 : 1.2;
-        boolean areMany = figures.of(operation).count() > Strokes.MANY;
-        Map<Color, Strokes> many = new LinkedHashMap<>();
-        for (int i = 0; i < figures.of(operation).operands().size(); i++) {
-            ScenePath.BodyAt operand = operation.child(i);
-            if (!state.isHidden(operand) && !state.selection().contains(operand)) {
-                List<Figure> ghosts = new ArrayList<>();
-                Color color = color(Arranging.role(state.scene(), operand).orElse(Role.BASE));
-                Strokes strokes = areMany ? many.computeIfAbsent(color, key -> Strokes.on(g, part, width, key, true)) : Strokes.on(g, part, width, color, false);
-                whole(figures.of(operand), strokes, ghosts);
-                strokes.next();
-                ghosts(ghosts, color);
+    /** Of operations, and beside operands, the operands by what they do, each once: as the tree colours them. */
+    private void operands(EditorState state, Figures figures) {
+        Map<ScenePath.BodyAt, Double> widths = new LinkedHashMap<>();
+        for (ScenePath item : state.selection()) {
+            if (item instanceof ScenePath.BodyAt body && !state.isHidden(item)) {
+                boolean isOperation = !figures.of(body).operands().isEmpty();
+                widths.merge(isOperation ? body : body.parent(), isOperation ? 1.8 : 1.2, Math::max);
             }
         }
+        boolean areMany = widths.keySet().stream().filter(at -> !figures.of(at).operands().isEmpty()).mapToInt(at -> figures.of(at).count()).sum() > Strokes.MANY;
+        Map<Pen, Strokes> many = new LinkedHashMap<>();
+        widths.forEach((operation, width) -> {
+            for (int i = 0; i < figures.of(operation).operands().size(); i++) {
+                ScenePath.BodyAt operand = operation.child(i);
+                if (!state.isHidden(operand) && !state.selection().contains(operand)) {
+                    List<Figure> ghosts = new ArrayList<>();
+                    Color color = color(Arranging.role(state.scene(), operand).orElse(Role.BASE));
+                    Strokes strokes = areMany ? many.computeIfAbsent(new Pen(color, width), key -> Strokes.on(g, part, width, color, true))
+                            : Strokes.on(g, part, width, color, false);
+                    whole(figures.of(operand), strokes, ghosts);
+                    strokes.next();
+                    ghosts(ghosts, color);
+                }
+            }
+        });
         many.values().forEach(Strokes::end);
     }
+
+    /** What is drawn together. */
+    private record Pen(Color color, double width) {}
 
     private Color color(Role role) {
         return switch (role) {
