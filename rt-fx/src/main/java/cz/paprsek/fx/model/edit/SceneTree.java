@@ -144,13 +144,14 @@ final class SceneTree {
 
     /** The names that a node's children, or the scene's objects for no node, have. */
     Names names(@Nullable Node parent) {
-        Set<String> names = new HashSet<>();
-        siblings(parent).forEach(node -> names.add(node.body.name()));
-        return new Names(names);
+        return namesWithout(Set.of(), parent);
     }
 
-    void remove(Node node) {
-        removeAll(List.of(node));
+    /** Likewise, when some are gone. */
+    Names namesWithout(Set<Node> gone, @Nullable Node parent) {
+        Set<String> names = new HashSet<>();
+        siblings(parent).stream().filter(node -> !gone.contains(node)).forEach(node -> names.add(node.body.name()));
+        return new Names(names);
     }
 
     /** Takes nodes away, however many, in a single walk through their siblings. */
@@ -160,17 +161,14 @@ final class SceneTree {
         gone.forEach(node -> node.parent = null);
     }
 
-    /** Puts nodes that are nowhere each right after another one, likewise. */
-    void insertAfter(Map<Node, Node> fresh) {
+    /** Puts others in the place of each of some nodes, likewise; it may be one of them itself. */
+    void replaceAll(Map<Node, List<Node>> fresh) {
         families(fresh.keySet()).forEach(siblings -> {
             List<Node> old = List.copyOf(siblings);
             siblings.clear();
-            old.forEach(node -> {
-                siblings.add(node);
-                Optional.ofNullable(fresh.get(node)).ifPresent(siblings::add);
-            });
+            old.forEach(node -> siblings.addAll(fresh.getOrDefault(node, List.of(node))));
         });
-        fresh.forEach((node, copy) -> copy.parent = node.parent);
+        fresh.forEach((node, others) -> others.forEach(one -> one.parent = node.parent));
     }
 
     /** Each list that one of some nodes is in, once. */

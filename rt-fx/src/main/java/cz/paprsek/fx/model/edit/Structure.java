@@ -75,20 +75,23 @@ public final class Structure {
     /** Copies objects, operands, lights and cameras, each right after its original or last, moved by an offset in world space; selects the copies. */
     public static EditorState duplicate(EditorState state, Collection<? extends ScenePath> items, Vec3 offset) {
         SceneTree tree = new SceneTree(state);
-        Map<Node, Node> copies = new LinkedHashMap<>();
+        List<Node> copies = new ArrayList<>();
+        Map<Node, List<Node>> pairs = new HashMap<>();
         Map<Optional<Node>, Names> names = new HashMap<>();
         for (Node original : tree.nodes(items)) {
             Names taken = names.computeIfAbsent(Optional.ofNullable(original.parent()), parent -> tree.names(original.parent()));
-            copies.put(original, Node.fresh(named(original.body, taken)));
+            Node copy = Node.fresh(named(original.body, taken));
+            copies.add(copy);
+            pairs.put(original, List.of(original, copy));
         }
-        tree.insertAfter(copies);
+        tree.replaceAll(pairs);
         List<Integer> lights = new ArrayList<>();
         for (LightAt at : Places.lights(items)) {
             Light light = tree.light(at);
             lights.add(tree.lightCount());
             tree.insertLight(tree.lightCount(), light.named(Names.free(light.name(), tree.lightNames())), -1);
         }
-        EditorState copied = Cameras.withCopies(tree.resultSelecting(copies.values(), lights), Places.cameras(items));
+        EditorState copied = Cameras.withCopies(tree.resultSelecting(copies, lights), Places.cameras(items));
         return copied.withScene(Moves.translated(copied.scene(), copied.selection(), offset));
     }
 
@@ -175,32 +178,24 @@ public final class Structure {
             }
         }
         SceneTree tree = new SceneTree(freeing);
-        List<Node> freed = new ArrayList<>();
-        for (Node node : tree.nodes(items)) {
-            if (node.isOperation()) {
-                freed.addAll(dissolve(tree, node));
-            }
-        }
+        Map<Node, List<Node>> freed = new LinkedHashMap<>();
+        tree.nodes(items).stream().filter(Node::isOperation).forEach(operation -> freed.put(operation, operation.children()));
         if (freed.isEmpty()) {
             throw new IllegalArgumentException("select a union, difference or intersection to dissolve");
         }
-        return tree.resultSelecting(freed, List.of());
+        Map<Optional<Node>, Names> names = new HashMap<>();
+        freed.forEach((operation, operands) -> {
+            Names taken = names.computeIfAbsent(Optional.ofNullable(operation.parent()), parent -> tree.namesWithout(freed.keySet(), operation.parent()));
+            operands.forEach(operand -> operand.body = named(freed(operand.body, operation.body), taken));
+        });
+        tree.replaceAll(freed);
+        return tree.resultSelecting(freed.values().stream().flatMap(List::stream).toList(), List.of());
     }
 
-    private static List<Node> dissolve(SceneTree tree, Node operation) {
-        Node parent = operation.parent();
-        int index = tree.index(operation);
-        List<Node> operands = operation.children();
-        tree.removeAll(operands);
-        tree.remove(operation);
-        Names names = tree.names(parent);
-        for (Node operand : operands) {
-            Body body = transferred(operand.body, operation.body.placement().toParent(), Affine.IDENTITY);
-            body = body.material() == Inherited.INHERITED ? body.madeOf(operation.body.material()) : body;
-            operand.body = named(body, names);
-            tree.insert(parent, index++, operand);
-        }
-        return operands;
+    /** An operand where it is in the world, and of what it is made of, without its operation. */
+    private static Body freed(Body operand, Body operation) {
+        Body body = transferred(operand, operation.placement().toParent(), Affine.IDENTITY);
+        return body.material() == Inherited.INHERITED ? body.madeOf(operation.material()) : body;
     }
 
     /** Gives an object, operand, light or camera another name; empty for none. */

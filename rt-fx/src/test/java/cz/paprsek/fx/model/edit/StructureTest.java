@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import com.sun.management.ThreadMXBean;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.TestScenes;
 import cz.paprsek.material.MaterialName;
@@ -19,12 +20,15 @@ import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Sphere;
+import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiFunction;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
@@ -60,6 +64,42 @@ class StructureTest {
         assertThat(freed.scene().objects().subList(1, 1001)).isEqualTo(IntStream.range(0, 1000).mapToObj(i -> copied.scene().objects().get(2 * i + 1)).toList());
         assertThat(Structure.delete(freed, freed.selection()).scene()).isEqualTo(balls);
         assertThat(Structure.move(freed, freed.selection(), Optional.empty(), 2000).scene().objects().subList(0, 1000)).isEqualTo(balls.objects());
+    }
+
+    /** The lists and names that are made, bytes: of ten times as many about ten times as much, not a hundred times. */
+    @Test
+    void whatAnEditMakesGrowsAsWhatIsEdited() {
+        assertGrowsLikewise("copying", (state, all) -> Structure.duplicate(state, all, Vec3.X));
+        assertGrowsLikewise("combining", (state, all) -> Structure.combine(state, all, Csg.Operation.UNION, "all"));
+        assertGrowsLikewise("freeing", Structure::dissolve);
+        assertGrowsLikewise("deleting", Structure::delete);
+        assertGrowsLikewise("moving", (state, all) -> Structure.move(state, all, Optional.empty(), 1));
+    }
+
+    private static void assertGrowsLikewise(String what, BiFunction<EditorState, List<BodyAt>, EditorState> edit) {
+        made(20, edit);
+        long few = made(200, edit);
+        assertThat(made(2000, edit)).as(what).isBetween(5 * few, 20 * few);
+    }
+
+    /** By an edit of pairs of balls. */
+    private static long made(int count, BiFunction<EditorState, List<BodyAt>, EditorState> edit) {
+        Csg pair = Csg.union(Operand.of(new Sphere(1)).named("left"), Operand.of(new Sphere(1)).named("right").at(1, 0, 0));
+        EditorState state = EditorState.of(Scene.EMPTY.withObjects(IntStream.range(0, count).mapToObj(i -> SceneObject.of(pair).named("pair " + i)).toList()));
+        List<BodyAt> all = ScenePath.bodies(state.scene()).filter(at -> at.depth() == 0).toList();
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long before = threads.getThreadAllocatedBytes(Thread.currentThread().getId());
+        EditorState after = edit.apply(state, all);
+        long made = threads.getThreadAllocatedBytes(Thread.currentThread().getId()) - before;
+        assertThat(after).isNotSameAs(state);
+        return made;
+    }
+
+    @Test
+    void operandsFreedMayHaveTheNamesOfOperationsThatGo() {
+        Scene scene = Scene.EMPTY.plus(SceneObject.of(Csg.union(Operand.of(new Sphere(1)).named("b"), Operand.of(new Sphere(2)).named("c"))).named("a"),
+                SceneObject.of(Csg.union(Operand.of(new Sphere(3)).named("a"), Operand.of(new Sphere(4)).named("c"))).named("b"));
+        assertThat(names(Structure.dissolve(EditorState.of(scene), List.of(body(0), body(1))))).isEqualTo("b, c, a, c 2");
     }
 
     @Test
