@@ -32,7 +32,7 @@ final class Sentences {
     /** What is the same in every language: what is quoted, elements, and files with their folders. */
     private static final Pattern NAMED = Pattern.compile("\"[^\"]*\"|</?[^<>]*>|^(?=[^,;\"]*$)(\\S*[/\\\\]\\S.*|.*\\.\\p{Alpha}\\p{Alnum}{0,7})$");
     /** What English sentences are made of. */
-    private static final Pattern GRAMMAR = Pattern.compile("\\b(the|is|must|but|has|of|not|there|are|be|which|than|or|and|it|with|for|this|its|from|needs|that|here|line|byte)\\b");
+    private static final Pattern GRAMMAR = Pattern.compile("(?U)\\b(the|is|must|but|has|of|not|there|are|be|which|than|or|and|it|with|for|this|its|from|needs|that|here|line|byte)\\b");
     private static final Pattern PLAIN_WORD = Pattern.compile("(?<!\\S)[(]?\\p{Ll}{2,}[,;:.)]*(?!\\S)");
 
     private final List<Form> forms = new ArrayList<>();

@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 
 /** The scenes that the frames of a film show. */
 final class Frames implements DoubleFunction<Scene> {
-    private static final Pattern TIME = Pattern.compile("\\{[^{}]*\\b(?:t|frame)\\b");
+    private static final Pattern TIME = Pattern.compile("(?U)\\{[^{}]*\\b(?:t|frame)\\b");
 
     private final Scene scene;
     /** Whether what formulas make depends on the time: then all of it is made anew for each frame. */

@@ -33,7 +33,7 @@ class EverySentenceTest {
     private static final Pattern WHOLE = Pattern.compile("xml/bind/(Elements|Prolog)|xml/mistake/(Complaints|Malformed)|shape/font/(Font|Table)");
     private static final Pattern TOKEN = Pattern.compile("//[^\n]*|/\\*.*?\\*/|\"\"\".*?\"\"\"|\"((?:[^\"\\\\]|\\\\.)*)\"|'(?:[^'\\\\]|\\\\.)+'", Pattern.DOTALL);
     private static final Pattern CALLEE = Pattern.compile("([@\\w.]+)\\s*$");
-    private static final Pattern ENGLISH = Pattern.compile("\\b(the|is|must|but|has|of|not|there|are|be|which|than|or|and|it|with|for|this|its|from|needs|that|here)\\b(?![^<]*>)");
+    private static final Pattern ENGLISH = Pattern.compile("(?U)\\b(the|is|must|but|has|of|not|there|are|be|which|than|or|and|it|with|for|this|its|from|needs|that|here)\\b(?![^<]*>)");
     /** In those files: the parser's words, samples, and the middle of a sentence. */
     private static final Pattern NO_SENTENCE = Pattern.compile("[A-Z(].*| ?of .*|<[^>]*>", Pattern.DOTALL);
     /** What may stand before a sentence, and what after many of them. */

@@ -10,7 +10,7 @@ final class Aside {
     private static final Pattern FORMULA = Pattern.compile("([+-]?)\\{([^{}]*)}");
 
     /** What binds less than a sum does. */
-    private static final Pattern LOOSE = Pattern.compile("[?<>=!&|≤≥≠]|\\b(and|or|not)\\b");
+    private static final Pattern LOOSE = Pattern.compile("(?U)[?<>=!&|≤≥≠]|\\b(and|or|not)\\b");
 
     private Aside() {}
 

@@ -33,7 +33,7 @@ import javafx.util.Subscription;
  */
 public final class LibraryRows<R> implements AutoCloseable {
     /** What words alone do not have. */
-    private static final Pattern FILTER = Pattern.compile("[=<>()\"']|\\b(like|in|not)\\b", Pattern.CASE_INSENSITIVE);
+    private static final Pattern FILTER = Pattern.compile("(?U)[=<>()\"']|\\b(like|in|not)\\b", Pattern.CASE_INSENSITIVE);
 
     private final Library library;
     private final Relation<Scene, R> relation;
