@@ -127,13 +127,13 @@ final class PovBumps {
         String fall = text(amount * (luminance(palette.get(0)) - luminance(palette.get(1))));
         if (pattern instanceof Pattern.Brick brick) {
             return "brick " + fall + " brick_size " + vector(brick.size()) + " mortar " + text(brick.mortar()) + " accuracy " + text(brick.mortar() / 4)
-                    + PovPatterns.laid(brick.lay()) + " dont_scale_bumps";
+                    + PovPatterns.laid(brick.lay()) + " no_bump_scale";
         } else if (pattern instanceof Pattern.Checker checker) {
             return "checker " + rise + " scale " + vector(checker.size()) + (checker.origin().equals(Vec3.ZERO) ? "" : " translate " + vector(checker.origin()))
-                    + PovPatterns.laid(checker.lay()) + " dont_scale_bumps";
+                    + PovPatterns.laid(checker.lay()) + " no_bump_scale";
         }
         Pattern.Stripes stripes = (Pattern.Stripes) pattern;
         return "checker " + rise + " scale " + vector(stripes.size(), PovPatterns.HIGH, PovPatterns.HIGH) + " translate " + vector(0, -PovPatterns.HIGH / 2, -PovPatterns.HIGH / 2)
-                + PovPatterns.laid(stripes.lay()) + " dont_scale_bumps";
+                + PovPatterns.laid(stripes.lay()) + " no_bump_scale";
     }
 }

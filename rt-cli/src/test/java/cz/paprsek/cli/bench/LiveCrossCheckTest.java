@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Pictures against those that POV-Ray 3.7 makes now, where it is installed, of a recorded scene and of some that nobody has seen before: no
@@ -64,6 +65,33 @@ class LiveCrossCheckTest {
     @Test
     void aPictureOfOneColourIsRoundedOneWay() throws Exception {
         compare(CrossCheckScenes.random(165_615));
+    }
+
+    /** Their edges are of another form in POV-Ray: but where ours are lighter than a flat wall, so are its, and its are dark where ours are. */
+    @ParameterizedTest
+    @ValueSource(strings = {"<brick size='0.6 0.3 1' mortar='0.08'/>", "<checker size='0.4' position='0.1 0 0.2'/>", "<stripes size='0.4' scale='1.5'/>"})
+    void bumpsWithEdgesGoTheSameWay(String pattern) throws Exception {
+        assumeTrue(POVRAY.isPresent(), "povray is not installed");
+        Image flat = Renderer.render(wall(""));
+        Scene bumpy = wall("<bump strength='0.1'>" + pattern + "</bump>");
+        Image ours = Renderer.render(bumpy);
+        Image theirs = POVRAY.get().render(bumpy, 1).image();
+        double same = 0;
+        double other = 0;
+        for (int y = 0; y < flat.height(); y++) {
+            for (int x = 0; x < flat.width(); x++) {
+                double both = (ours.green(x, y) - flat.green(x, y)) * (theirs.green(x, y) - flat.green(x, y));
+                same += Math.max(0, both);
+                other -= Math.min(0, both);
+            }
+        }
+        assertThat(same).isGreaterThan(0.1);
+        assertThat(other).isLessThan(0.1 * same);
+    }
+
+    private static Scene wall(String bump) throws Exception {
+        return SceneFiles.parse("<scene xmlns='urn:paprsek:scene:1'><render width='160' height='120'/><camera position='0 0 4' target='0 0 0'/><point-light position='-5 4 3'/>"
+                + "<block min='-2 -2 -0.2' max='2 2 0.13'><material>" + bump + "</material></block></scene>");
     }
 
     private static Image theirs(PovRay povRay, Scene scene) throws Exception {
