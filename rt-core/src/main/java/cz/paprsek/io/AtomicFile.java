@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
@@ -155,7 +156,14 @@ public final class AtomicFile {
             throw new IOException(file + ": cannot be written, permission denied", e);
         } catch (ClosedByInterruptException e) {
             throw new IOException(file + ": writing was interrupted", e);
+        } catch (IOException e) {
+            throw isOfWriting(e) ? new IOException(Failures.sentence(file.toString(), e), e) : e;
         }
+    }
+
+    /** Whether the system could not write, which names no file, or the one that was to become it; not what the content failed at. */
+    private static boolean isOfWriting(IOException e) {
+        return e instanceof FileSystemException broken ? String.valueOf(broken.getFile()).endsWith(TEMPORARY) : Failures.isOfSystem(e);
     }
 
     /** Where the links lead that begin at a name and end at a file that is not there yet. */

@@ -54,7 +54,7 @@ public final class Failures {
     }
 
     /** What reading or writing bytes throws, be it for a disk or a network, has no class of its own: it comes from code that is not Java. */
-    private static boolean isOfSystem(Throwable failure) {
+    static boolean isOfSystem(Throwable failure) {
         StackTraceElement[] calls = failure.getStackTrace();
         return failure.getClass() == IOException.class && calls.length > 0 && calls[0].isNativeMethod();
     }

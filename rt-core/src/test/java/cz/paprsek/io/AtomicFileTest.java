@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -83,12 +84,35 @@ class AtomicFileTest {
         try {
             Path file = Files.writeString(disk.resolve("picture.bin"), "old");
             assertThatThrownBy(() -> AtomicFile.write(file, out -> out.write(new byte[200_000])))
-                    .isInstanceOf(IOException.class).hasMessageContaining("No space left");
+                    .isInstanceOf(IOException.class).hasMessage(file + ": no space left on device");
             assertThat(file).hasContent("old");
             assertThat(disk.toFile().list()).containsExactly("picture.bin");
         } finally {
             run("umount", disk.toString());
         }
+    }
+
+    /** By its own name, not that of the file that was to become it. */
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void aDiskThatMayOnlyBeReadIsToldByTheNameOfTheFile() throws Exception {
+        Path disk = Files.createDirectory(folder.resolve("disk"));
+        assumeTrue(run("mount", "-t", "tmpfs", "-o", "ro,size=64k", "tmpfs", disk.toString()), "disks can be mounted by root only");
+        try {
+            Path file = disk.resolve("picture.bin");
+            String sentence = file + ": read-only file system";
+            assertThatThrownBy(() -> AtomicFile.write(file, out -> out.write(1))).isInstanceOf(IOException.class).hasMessage(sentence);
+            assertThatThrownBy(() -> AtomicFile.check(file)).isInstanceOf(IOException.class).hasMessage(sentence);
+        } finally {
+            run("umount", disk.toString());
+        }
+    }
+
+    @Test
+    void whatTheContentFailsAtIsLeftAsItIs() {
+        IOException other = new FileSystemException("other.bin", null, "Input/output error");
+        assertThatThrownBy(() -> AtomicFile.write(old(), out -> { throw other; })).isSameAs(other);
+        assertThatThrownBy(() -> AtomicFile.write(old(), out -> { throw new IOException("no scene can say that"); })).hasMessage("no scene can say that");
     }
 
     private static boolean run(String... command) throws Exception {
