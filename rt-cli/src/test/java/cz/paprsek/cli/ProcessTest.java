@@ -101,6 +101,18 @@ class ProcessTest {
         assertThat(end(list).out()).isEqualTo("name\r\nŽluťoučký kůň\r\nplain\r\n");
     }
 
+    @Test
+    void aFileThatALocaleCannotNameIsSaidWhereTheSceneNamesIt() throws Exception {
+        Path scene = Scenes.scene(folder.resolve("s.xml"), "<sphere radius=\"1\"><material><image file=\"dlaždice.png\"/></material></sphere>");
+        for (String command : List.of("render", "validate")) {
+            ProcessBuilder builder = builder(List.of(), command, scene.toString());
+            builder.environment().put("LC_ALL", "C");
+            Ended ended = end(builder);
+            assertThat(ended.code()).isEqualTo(3);
+            assertThat(ended.err()).contains("s.xml:").contains(": there can be no file of this name: the locale (").endsWith("LC_ALL=C.UTF-8 has\n").doesNotContain("\tat ");
+        }
+    }
+
     private static String one(String name) {
         return "<scene name=\"" + name + "\"><render width=\"4\" height=\"4\"/><camera position=\"0 1 5\" direction=\"0 0 -1\"/></scene>";
     }

@@ -1,5 +1,6 @@
 package cz.paprsek.asset;
 
+import cz.paprsek.io.Failures;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.channels.Channels;
@@ -8,6 +9,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -33,6 +35,8 @@ record Folder(Path folder, boolean isBeside) implements Assets.Source {
         } catch (FileSystemException e) {
             // It names a file of this machine, which is nothing to those who wrote the scene.
             throw new IOException(reason(e), e);
+        } catch (InvalidPathException e) {
+            throw new IOException("there can be no file of this name: " + Failures.noName(e), e);
         }
     }
 

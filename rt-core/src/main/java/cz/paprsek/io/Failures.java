@@ -12,6 +12,7 @@ import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.FileSystemLoopException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.util.List;
@@ -40,6 +41,13 @@ public final class Failures {
     public static String sentence(String file, IOException failure) {
         String what = what(failure);
         return what.startsWith(file) ? what : file + ": " + small(what);
+    }
+
+    /** Why nothing can have such a name here: the system has no code for its letters, or does not allow them. */
+    public static String noName(InvalidPathException failure) {
+        String reason = failure.getReason();
+        return !reason.contains("unmappable") && !reason.contains("Malformed") ? small(reason)
+                : "the locale (" + System.getProperty("sun.jnu.encoding", "unknown") + ") has no code for its letters; LC_ALL=C.UTF-8 has";
     }
 
     /**

@@ -1,6 +1,7 @@
 package cz.paprsek.cli.value;
 
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.io.Failures;
 import cz.paprsek.text.Numbers;
 import cz.paprsek.text.Similar;
 import java.nio.file.InvalidPathException;
@@ -68,16 +69,7 @@ public final class Words {
         try {
             return Path.of(word);
         } catch (InvalidPathException e) {
-            throw new WrongUsage("'" + word + "' is not a valid file name: " + (isUnspeakable(e) ? unspeakable() : e.getReason()));
+            throw new WrongUsage("'" + word + "' is not a valid file name: " + Failures.noName(e));
         }
-    }
-
-    private static boolean isUnspeakable(InvalidPathException e) {
-        return e.getReason().contains("unmappable") || e.getReason().contains("Malformed");
-    }
-
-    /** What to do about letters that the system's settings have no code for. */
-    private static String unspeakable() {
-        return "the locale (" + System.getProperty("sun.jnu.encoding", "unknown") + ") has no code for its letters; LC_ALL=C.UTF-8 has";
     }
 }
