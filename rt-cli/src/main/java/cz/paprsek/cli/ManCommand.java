@@ -6,9 +6,9 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.Failures;
+import cz.paprsek.io.Folders;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
@@ -40,7 +40,7 @@ final class ManCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         try {
-            Files.createDirectories(output);
+            Folders.make(output);
             write(spec.root().commandLine(), spec.root().version()[0]);
             return ExitCode.DONE;
         } catch (IOException e) {

@@ -13,6 +13,7 @@ import cz.paprsek.cli.value.Words;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.Failures;
+import cz.paprsek.io.Folders;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -166,7 +167,7 @@ final class PlanCommand implements Callable<Integer> {
                 terminal.table().append(text).flush();
                 return ExitCode.DONE;
             }
-            Files.createDirectories(output.get());
+            Folders.make(output.get());
             Path file = output.get().resolve(name);
             stop.guard(() -> AtomicFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8))));
             terminal.result(file.toString());

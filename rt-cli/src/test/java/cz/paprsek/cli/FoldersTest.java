@@ -34,7 +34,23 @@ class FoldersTest {
         assertThat(refused.err()).contains(folder.resolve("file") + " is not a directory, so nothing can be written there").hasLineCount(1);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"plan ball.xml --shards 2 --slurm -o OUT", "generate-man -o OUT", "crosscheck ball.xml --recorded --heatmaps OUT", "db extract scenes.xml ball -o OUT/", "render ball.xml -o OUT/", "render ball.xml --shard 1/1 -o OUT/"})
+    void nothingIsPutIntoAFile(String words) throws Exception {
+        Path scene = Scenes.ball(folder.resolve("ball.xml"));
+        Run.cli("db", "init", folder.resolve("scenes.xml"));
+        Run.cli("db", "add", folder.resolve("scenes.xml"), scene);
+        Path file = Files.writeString(folder.resolve("file"), "no folder");
+
+        for (Path out : List.of(file, file.resolve("below"), file.resolve("far/below"))) {
+            Run refused = run(words, out);
+            assertThat(refused.code()).isPositive();
+            assertThat(refused.err()).contains(file + " is not a directory, so no");
+        }
+        assertThat(file).hasContent("no folder");
+    }
+
     private Run run(String words, Path out) {
-        return Run.cli(List.of(words.split(" ")).stream().map(word -> word.startsWith("OUT") ? out + word.substring(3) : word.startsWith("ball") ? folder.resolve(word) : word).toArray());
+        return Run.cli(List.of(words.split(" ")).stream().map(word -> word.startsWith("OUT") ? out + word.substring(3) : word.startsWith("ball.") || word.startsWith("scenes") ? folder.resolve(word) : word).toArray());
     }
 }

@@ -2,6 +2,7 @@ package cz.paprsek.format;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.io.AtomicFile;
+import cz.paprsek.io.Folders;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Mesh;
@@ -69,7 +70,7 @@ public final class Belongings {
             }
         }
         for (Map.Entry<Path, AtomicFile.Content> copy : copies.entrySet()) {
-            Files.createDirectories(Objects.requireNonNull(copy.getKey().getParent()));
+            Folders.makeFor(copy.getKey());
             AtomicFile.write(copy.getKey(), copy.getValue());
         }
         return missing;

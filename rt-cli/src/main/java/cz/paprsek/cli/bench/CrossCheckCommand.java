@@ -16,11 +16,11 @@ import cz.paprsek.image.ImageComparison;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.Failures;
+import cz.paprsek.io.Folders;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.text.Numbers;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -128,7 +128,7 @@ public final class CrossCheckCommand implements Callable<Integer> {
     /** Before the first scene is rendered: what cannot be written should be known then. */
     private boolean isMade(Path folder) {
         try {
-            Files.createDirectories(folder);
+            Folders.make(folder);
             AtomicFile.check(folder.resolve("map.png"));
             return true;
         } catch (IOException e) {

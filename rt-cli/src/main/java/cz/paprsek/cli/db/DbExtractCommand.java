@@ -7,6 +7,7 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.io.Failures;
+import cz.paprsek.io.Folders;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.xml.OriginalText;
@@ -79,10 +80,7 @@ final class DbExtractCommand extends DbAction {
             files.put(target, scene);
         }
         for (Path target : files.keySet()) {
-            Path folder = target.toAbsolutePath().getParent();
-            if (folder != null) {
-                Files.createDirectories(folder);
-            }
+            Folders.makeFor(target);
         }
         return files;
     }

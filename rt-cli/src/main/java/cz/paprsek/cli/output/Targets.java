@@ -6,8 +6,10 @@ import cz.paprsek.cli.value.Words;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.Failures;
+import cz.paprsek.io.Folders;
 import cz.paprsek.text.Similar;
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -136,12 +138,12 @@ public record Targets(Optional<String> output, Optional<ImageFormat> format, boo
     }
 
     private static void prepare(Path file) {
-        Path folder = Objects.requireNonNull(file.toAbsolutePath().getParent());
         try {
-            Files.createDirectories(folder);
+            Folders.makeFor(file);
+        } catch (FileSystemException e) {
+            throw new WrongUsage("cannot make the directory " + Failures.sentence(e));
         } catch (IOException e) {
-            throw new WrongUsage(Files.exists(folder) && !Files.isDirectory(folder) ? folder + " is not a directory, so nothing can be written there"
-                    : "cannot make the directory " + Failures.sentence(folder.toString(), e));
+            throw new WrongUsage(Failures.sentence(e));
         }
         try {
             AtomicFile.check(file);

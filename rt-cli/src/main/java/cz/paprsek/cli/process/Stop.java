@@ -1,11 +1,9 @@
 package cz.paprsek.cli.process;
 
+import cz.paprsek.io.Folders;
 import java.io.IOException;
 import java.io.InterruptedIOException;
-import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -74,12 +72,7 @@ public final class Stop {
      */
     public void write(Path file, Writing writing) throws IOException {
         guard(() -> {
-            Path folder = Objects.requireNonNull(file.toAbsolutePath().getParent());
-            try {
-                Files.createDirectories(folder);
-            } catch (FileAlreadyExistsException occupied) {
-                throw new IOException(folder + " is not a directory, so nothing can be written there", occupied);
-            }
+            Folders.makeFor(file);
             writing.run();
         });
     }

@@ -5,6 +5,7 @@ import cz.paprsek.cli.shard.Deal.Piece;
 import cz.paprsek.cli.shard.PartFile.OtherVersion;
 import cz.paprsek.cli.shard.PartFile.Pixels;
 import cz.paprsek.io.AtomicFile;
+import cz.paprsek.io.Folders;
 import cz.paprsek.render.Tile;
 import java.io.IOException;
 import java.nio.file.DirectoryIteratorException;
@@ -35,7 +36,7 @@ record PartsFolder(Path path) {
     /** Makes the folder of a frame, or of one of its passes, and removes what processes that are no more have left half-written in it. */
     void prepare(int frame, int pass) throws IOException {
         Path folder = of(frame, pass);
-        Files.createDirectories(folder);
+        Folders.make(folder);
         AtomicFile.sweepAll(folder, PartFile.ENDING);
     }
 

@@ -5,6 +5,7 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.Deal.Piece;
 import cz.paprsek.cli.shard.PartFile.Numbers;
 import cz.paprsek.cli.value.Shard;
+import cz.paprsek.io.Folders;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderResult;
@@ -79,7 +80,7 @@ public record ShardWork(Shard shard, Path folder, List<String> words, boolean is
         if (Files.exists(folder) && !Files.isDirectory(folder)) {
             throw new WrongUsage(folder + " is not a directory, so no parts can be put there");
         }
-        Files.createDirectories(folder);
+        Folders.make(folder);
     }
 
     /** Those who do the work, and what they have in common. */
