@@ -196,6 +196,25 @@ class ModelsTest {
         return Files.writeString(folder.resolve("from/painted.obj"), "mtllib m.mtl\nusemtl m\n" + OBJ.replace("v 0 0 5\n", "v 0 0 5\nvt 0 0\nvt 1 0\nvt 0 1\n").replaceAll("f (\\d) (\\d) (\\d)", "f $1/1 $2/2 $3/3"));
     }
 
+    /** Of its own materials; one that the scene gives it stands for them all. */
+    @Test
+    void aPictureThatAModelLacksIsToldWhereTheSceneNamesTheModel() throws IOException {
+        Path painted = painted();
+        Path scene = Scenes.scene(folder.resolve("s.xml"), "\n<mesh file='from/painted.obj'/>");
+        assertThat(Run.cli("validate", scene).code()).isZero();
+        Files.delete(folder.resolve("from/pictures/p.png"));
+        String sentence = "\"from/pictures/p.png\": there is no such file beside the scene\n";
+        for (String command : new String[] {"validate", "render"}) {
+            Run run = Run.cli(command, scene);
+            assertThat(run.code()).isEqualTo(3);
+            assertThat(run.err()).endsWith("s.xml:2:7: " + sentence);
+        }
+        assertThat(Run.cli("validate", painted).err()).isEqualTo(painted + ": " + sentence.replace("from/", ""));
+        Path gilt = Scenes.scene(folder.resolve("gilt.xml"), "<mesh file='from/painted.obj' material='gold'/>");
+        assertThat(Run.cli("validate", gilt).code()).isZero();
+        assertThat(Run.cli("render", gilt, "-o", folder.resolve("gilt.png"), "--size", "8x6").code()).isZero();
+    }
+
     @Test
     void whatAModelNeedsGoesToTheOtherFolderToo() throws IOException {
         Path painted = painted();

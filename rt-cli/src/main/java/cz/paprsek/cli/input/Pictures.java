@@ -2,10 +2,18 @@ package cz.paprsek.cli.input;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.format.MeshFiles;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.shape.Mesh;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import picocli.CommandLine.Option;
 
 /** Where the files come from that scenes name: pictures, meshes, fonts, and other scenes. */
@@ -32,11 +40,28 @@ public final class Pictures {
 
     /** Likewise, into those of another scene of the same file. */
     public void read(Scene scene, Assets assets) throws IOException {
-        MeshFiles.read(scene, assets);
-        for (String name : scene.files()) {
+        Scene read = MeshFiles.read(scene, assets);
+        Set<String> names = new TreeSet<>(scene.files());
+        names.addAll(ofMeshes(read).keySet());
+        for (String name : names) {
             if (!assets.digests().containsKey(name)) {
                 assets.bytes(name);
             }
         }
+    }
+
+    /** The pictures beside the files of meshes that show the materials of these, and for each the first such mesh; those within the files are there. */
+    static Map<String, BodyAt> ofMeshes(Scene read) {
+        if (read.files().isEmpty()) {
+            return Map.of();
+        }
+        Map<String, BodyAt> names = new LinkedHashMap<>();
+        ScenePath.bodies(read).forEach(at -> {
+            if (at.in(read).shape() instanceof Mesh mesh && at.source(read) == Inherited.INHERITED) {
+                mesh.materials().stream().flatMap(material -> material.files().stream()).filter(name -> !mesh.within().containsKey(name))
+                        .forEach(name -> names.putIfAbsent(name, at));
+            }
+        });
+        return names;
     }
 }

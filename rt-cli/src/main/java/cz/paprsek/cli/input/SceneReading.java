@@ -74,10 +74,18 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
         return IntStream.range(0, scenes.size()).filter(scene -> !lacking.contains(scene));
     }
 
-    /** With what there is to say of pictures that its scenes name and that are missing or too large; they are not decoded. */
+    /** With what there is to say of pictures that its scenes and their meshes name and that are missing or too large; they are not decoded. */
     public SceneReading withPictures(Pictures pictures) {
         Assets assets = pictures.of(file);
         List<Problem> all = new ArrayList<>(problems);
+        whole().forEach(number -> Pictures.ofMeshes(scenes.get(number)).forEach((name, at) -> {
+            try {
+                assets.bytes(name);
+            } catch (IOException e) {
+                String sentence = Failures.sentence(e);
+                all.add(text.map(known -> known.pointer().at(number, Optional.of(at), "file", sentence)).orElseGet(() -> new Problem(file.toString(), 0, 0, sentence)));
+            }
+        }));
         for (int i = 0; i < scenes.size() && text.isPresent(); i++) {
             for (String name : scenes.get(i).files()) {
                 try {
