@@ -236,7 +236,8 @@ public final class ObjReader {
 
     private void face() throws IOException {
         polygon.clear();
-        while (lines.beginWord()) {
+        // A remark may stand behind the corners.
+        while (lines.beginWord() && lines.ahead(0) != '#') {
             corner();
         }
         if (polygon.count() < 3) {
