@@ -6,12 +6,14 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -213,6 +215,25 @@ class ModelsTest {
         Path gilt = Scenes.scene(folder.resolve("gilt.xml"), "<mesh file='from/painted.obj' material='gold'/>");
         assertThat(Run.cli("validate", gilt).code()).isZero();
         assertThat(Run.cli("render", gilt, "-o", folder.resolve("gilt.png"), "--size", "8x6").code()).isZero();
+    }
+
+    @Test
+    void aPartWithoutANameIsListedAsOne() throws IOException {
+        Path parts = Files.writeString(folder.resolve("parts.obj"), OBJ + "g lid\nf 1 2 3\n");
+        assertThat(Run.cli("info", parts).out()).contains("parts       2: \"\", lid\n");
+    }
+
+    /** Whatever it is called. */
+    @Test
+    void aPackedModelIsToldToBeUnpacked() throws IOException {
+        for (String name : new String[] {"packed.obj", "packed.ply", "packed.obj.gz"}) {
+            try (OutputStream packed = new GZIPOutputStream(Files.newOutputStream(folder.resolve(name)))) {
+                packed.write(OBJ.getBytes(StandardCharsets.UTF_8));
+            }
+            assertThat(Run.cli("info", folder.resolve(name)).err()).isEqualTo(folder.resolve(name) + ": this is a packed file; unpack it first\n");
+            Path scene = Scenes.scene(folder.resolve("s.xml"), "<mesh file='" + name + "'/>");
+            assertThat(Run.cli("validate", scene).err()).endsWith("\"" + name + "\": this is a packed file; unpack it first\n");
+        }
     }
 
     @Test

@@ -134,6 +134,9 @@ public final class MeshFiles {
             again.mark(ForeignFormat.HEAD);
             byte[] head = again.readNBytes(ForeignFormat.HEAD);
             again.reset();
+            if (head.length > 1 && head[0] == 0x1F && head[1] == (byte) 0x8B) {
+                throw new IOException("this is a packed file; unpack it first");
+            }
             ForeignFormat format = ForeignFormat.of(name, head).filter(ForeignFormat::isMesh)
                     .orElseThrow(() -> new IOException("this is none of the files that hold meshes: " + ForeignFormat.meshes()));
             Set<String> asked = new TreeSet<>();

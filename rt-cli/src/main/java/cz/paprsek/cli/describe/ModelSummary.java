@@ -34,7 +34,7 @@ public final class ModelSummary {
             lines.add("  colours     at its vertices");
         }
         if (mesh.parts().size() > 1 || !mesh.parts().get(0).isEmpty()) {
-            lines.add("  parts       " + mesh.parts().size() + ": " + String.join(", ", mesh.parts().stream().limit(MOST_PARTS).toList())
+            lines.add("  parts       " + mesh.parts().size() + ": " + String.join(", ", mesh.parts().stream().limit(MOST_PARTS).map(part -> part.isEmpty() ? "\"\"" : part).toList())
                     + (mesh.parts().size() > MOST_PARTS ? ", …" : ""));
         }
         return lines;
