@@ -30,8 +30,10 @@ import cz.paprsek.shape.Text;
 import cz.paprsek.shape.height.HeightField;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.BiConsumer;
 
@@ -40,6 +42,8 @@ final class PovWarnings {
     /** Scenes that POV-Ray's absolute tolerances of 1e-3 and 1e-4 suit, scene units. */
     private static final double SMALLEST = 0.5;
     private static final double LARGEST = 1e5;
+    /** Of more objects, the same is said once. */
+    private static final int MOST_NAMED = 8;
 
     private final Scene scene;
     private final boolean moves;
@@ -111,10 +115,26 @@ final class PovWarnings {
         }
         checkSize();
         checkOverlap();
+        checkObjects();
+    }
+
+    /** What is to be said of many objects is said of the first of them. */
+    private void checkObjects() {
+        Map<String, List<String>> alike = new LinkedHashMap<>();
         for (int i = 0; i < scene.objects().size(); i++) {
             SceneObject object = scene.objects().get(i);
-            check(object.name().isEmpty() ? "object " + (i + 1) : "\"" + object.name() + "\"", object);
+            String name = object.name().isEmpty() ? "object " + (i + 1) : "\"" + object.name() + "\"";
+            PovWarnings one = new PovWarnings(scene, moves);
+            one.check("", object);
+            one.sentences.forEach(said -> alike.computeIfAbsent(said, first -> new ArrayList<>()).add(name));
         }
+        alike.forEach((said, names) -> {
+            if (names.size() > MOST_NAMED) {
+                sentences.add(names.get(0) + " (and " + (names.size() - 1) + " more)" + said);
+            } else {
+                names.forEach(name -> sentences.add(name + said));
+            }
+        });
     }
 
     private void checkRays(RenderSettings settings) {

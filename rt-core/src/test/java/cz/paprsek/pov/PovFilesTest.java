@@ -38,6 +38,15 @@ class PovFilesTest {
     private static final Path FOLDER = Path.of("src/test/resources/pov");
 
     @Test
+    void whatIsToldOfManyIsToldOnce() throws Exception {
+        for (int count : new int[] {8, 9, 500}) {
+            List<String> warnings = PovFiles.write(SceneFiles.parse("<scene xmlns='urn:paprsek:scene:1'><camera position='0 0 9' target='0 0 0'/><repeat name='lamp' count='" + count
+                    + "' position='2 0 0'><rectangle min='0 0' max='1 1'><material color='black' emission='white'/></rectangle></repeat></scene>"), new StringBuilder());
+            assertThat(warnings).hasSize(count == 8 ? 8 : 1).first().asString().startsWith("\"lamp[0]\"" + (count == 8 ? "" : " (and " + (count - 1) + " more)") + ": POV-Ray multiplies the emission");
+        }
+    }
+
+    @Test
     void everythingIsWrittenInTheWordsOfPovRay(@TempDir Path folder) throws Exception {
         Path file = folder.resolve("everything.pov");
         PovFiles.write(SceneFiles.read(FOLDER.resolve("everything.xml")), file);
