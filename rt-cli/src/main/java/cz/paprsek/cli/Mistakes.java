@@ -22,6 +22,9 @@ final class Mistakes {
     /** What picocli says of a command that it is asked to explain. */
     private static final Pattern UNKNOWN_COMMAND = Pattern.compile("^Unknown subcommand '(.*)'");
 
+    /** What it says of a value that is to be two with an equals sign between them. */
+    private static final Pattern NO_PAIR = Pattern.compile("^Value for option option ('.*') \\((.*)\\) should be in KEY=VALUE format but was (.*)$");
+
     private Mistakes() {}
 
     static String sentence(ParameterException mistake) {
@@ -40,7 +43,7 @@ final class Mistakes {
         }
         String threads = mistake.getArgSpec() instanceof OptionSpec option && option.longestName().equals("--threads")
                 ? "; without --threads, all processors are used" : "";
-        return String.valueOf(mistake.getMessage()).replace("\n", " ") + threads;
+        return NO_PAIR.matcher(String.valueOf(mistake.getMessage()).replace("\n", " ")).replaceFirst("Invalid value for option $1: expected $2, but found '$3'") + threads;
     }
 
     private static String option(CommandSpec spec, String given) {
@@ -56,9 +59,9 @@ final class Mistakes {
             return "unknown option \"" + word + "\"; the file stands there without an option: paprsek " + spec.name() + " "
                     + String.join(" ", spec.positionalParameters().stream().map(ArgSpec::paramLabel).toList());
         }
-        // A letter, with or without its value, for one of the long ones; or one dash where two belong.
+        // A letter, with or without its value, for one of the long ones; its beginning; or one dash where two belong.
         Optional<String> longer = known.stream().filter(word::equalsIgnoreCase).findFirst()
-                .or(() -> known.stream().filter(name -> name.startsWith("-" + word)).findFirst())
+                .or(() -> known.stream().filter(name -> name.startsWith("-" + word) || (word.length() > 4 && name.startsWith(word))).findFirst())
                 .or(() -> known.stream().filter(name -> !word.startsWith("--") && name.startsWith("-" + word.substring(0, 2))).findFirst());
         return "unknown option \"" + word + "\"" + longer.map(name -> "; did you mean \"" + name + "\"?").orElseGet(() -> ofCommands(spec, word));
     }

@@ -42,11 +42,13 @@ public final class Similar {
      * @param known in the order in which they are told, at least one
      */
     public static String choice(String name, Collection<String> known) {
-        return nearest(name, known).map(found -> "; did you mean \"" + found + "\"?").orElseGet(() -> {
-            boolean isLong = known.size() > MOST_TOLD;
-            return "; there are " + known.stream().limit(isLong ? FIRST_TOLD : MOST_TOLD).collect(Collectors.joining(", "))
-                    + (isLong ? " and " + (known.size() - FIRST_TOLD) + " more" : "");
-        });
+        return nearest(name, known).map(found -> "; did you mean \"" + found + "\"?").orElseGet(() -> "; there are " + listed(known));
+    }
+
+    /** As {@code a, b, c}, or of many {@code a, b, c and 50 more}. */
+    public static String listed(Collection<String> known) {
+        boolean isLong = known.size() > MOST_TOLD;
+        return known.stream().limit(isLong ? FIRST_TOLD : MOST_TOLD).collect(Collectors.joining(", ")) + (isLong ? " and " + (known.size() - FIRST_TOLD) + " more" : "");
     }
 
     /** Insertions, deletions, replacements and swaps of neighbours that turn one word into the other, letter case ignored. */

@@ -45,7 +45,7 @@ public final class Words {
     /** What is said of a word that is none of those there are: which was meant, if it is like one or begins only one. */
     static TypeConversionException unknown(String word, List<String> names) {
         List<String> begun = names.stream().filter(name -> name.startsWith(word)).toList();
-        return new TypeConversionException("expected one of " + String.join(", ", names) + ", but found '" + word + "'"
+        return new TypeConversionException("expected one of " + Similar.listed(names) + ", but found '" + word + "'"
                 + Similar.suggestion(begun.size() == 1 ? begun.get(0) : word, names));
     }
 
