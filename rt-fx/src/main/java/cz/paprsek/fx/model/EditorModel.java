@@ -9,6 +9,7 @@ import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.SceneFiles;
+import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -270,7 +271,14 @@ public final class EditorModel {
         boolean isSame = changed.objects() == before.objects() || changed.objects().equals(before.objects());
         boolean isOfCopies = !copies().isNone() && !(isSame && changed.lights().equals(before.lights()) && changed.materials().equals(before.materials()));
         EditorState shown = isOfCopies ? fresh.withScene(SceneFiles.following(changed)) : fresh;
-        show(isSame && !isOfCopies ? shown : withMeshes(shown));
+        show(!isOfCopies && (isSame || haveShapes(before, changed)) ? shown : withMeshes(shown));
+    }
+
+    /** Whether all things have the shapes they had, so that no files are to be read for them. */
+    @SuppressWarnings("ReferenceEquality")
+    private static boolean haveShapes(Scene before, Scene now) {
+        return now.objects().size() == before.objects().size()
+                && Arrays.stream(now.objectsOtherThanIn(before)).allMatch(i -> now.objects().get(i).shape() == before.objects().get(i).shape());
     }
 
     boolean isOpen(Gesture candidate) {

@@ -226,6 +226,19 @@ class EditorModelTest {
         assertThat(model.scene().objects()).extracting(SceneObject::shape).allMatch(shape -> shape instanceof Mesh mesh && mesh.file().equals("other.obj") && mesh.isRead());
     }
 
+    /** Ten thousand things are not looked through for files for each movement of one of them. */
+    @Test
+    void whatIsOnlyMovedIsNotReadBeforeTheEnd() {
+        model.open(Scene.EMPTY.plus(SceneObject.of(Mesh.of("corner.obj"))));
+        Gesture drag = model.begin(Label.of(Edit.MOVE));
+        model.setAssets(Assets.of(Map.of("corner.obj", "v 0 0 0\nv 3 0 0\nv 0 4 0\nv 0 0 5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n".getBytes(StandardCharsets.UTF_8))));
+        drag.preview(scene -> Moves.translated(scene, Set.of(ScenePath.body(0)), Vec3.X));
+        assertThat(((Mesh) model.scene().objects().get(0).shape()).isRead()).isFalse();
+        drag.commit();
+        assertThat(((Mesh) model.scene().objects().get(0).shape()).isRead()).isTrue();
+        assertThat(model.scene().objects().get(0).placement().position()).isEqualTo(Vec3.X);
+    }
+
     @Test
     void aGestureThatChangesNoBodyKeepsTheCopies() throws Exception {
         model.open(SceneFiles.parse("""

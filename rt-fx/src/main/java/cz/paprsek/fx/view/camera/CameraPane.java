@@ -31,6 +31,7 @@ import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.value.ChangeListener;
 import javafx.beans.value.ObservableValue;
 import javafx.beans.value.WeakChangeListener;
+import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.geometry.Pos;
 import javafx.scene.canvas.GraphicsContext;
@@ -277,14 +278,15 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         }
     }
 
-    private void draw(GraphicsContext g) {
-        Outlines outlines = new Outlines(g, now(), view.camera(now()));
+    private Optional<Bounds> draw(GraphicsContext g) {
+        Extent extent = new Extent(g.getCanvas());
+        Outlines outlines = new Outlines(g, now(), view.camera(now()), extent);
         hovered.filter(body -> body.isIn(model.scene()) && !model.selection().contains(body)).ifPresent(body -> outlines.draw(body, Look.FAINT));
         if (objects.isPresent() && (model.selection().size() <= MANY || !model.gesturingProperty().get())) {
             outlines.selected();
         }
         droppedOn.filter(body -> body.isIn(model.scene())).ifPresent(body -> outlines.draw(body, Look.STRONG));
-        objects.ifPresent(known -> known.draw(g));
+        return objects.filter(known -> known.draw(g, extent)).isPresent() ? Optional.empty() : Optional.of(extent.bounds());
     }
 
     public Optional<BodyAt> body(PicturePoint point) {

@@ -160,6 +160,12 @@ public final class Handles {
         return Double.isNaN(before) || Double.isNaN(now) || Math.abs(before) < 1e-9 ? 1 : Math.max(0.01, now / before);
     }
 
+    /** Where they are drawn. */
+    void measure(Extent extent) {
+        extent.with(place.getX(), place.getY());
+        lines.values().forEach(extent::with);
+    }
+
     /** @param held which of them is held or under the mouse */
     void draw(GraphicsContext g, Optional<Optional<Axis>> held) {
         g.setLineDashes();

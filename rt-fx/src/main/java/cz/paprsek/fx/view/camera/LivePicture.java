@@ -33,8 +33,8 @@ final class LivePicture extends Region implements AutoCloseable {
     private final LiveRender live = new LiveRender(Runtime.getRuntime().availableProcessors());
     private final ImageView view = new ImageView();
     private final Rectangle frame = new Rectangle();
-    private final Overlay rays = new Overlay();
-    private final Overlay overlay = new Overlay();
+    private final Overlay rays = new Overlay("rays");
+    private final Overlay overlay = new Overlay("overlay");
     private final ReadOnlyBooleanWrapper complete = new ReadOnlyBooleanWrapper();
     private final Consumer<Throwable> onFault;
     private Optional<RegionBand> band = Optional.empty();
@@ -128,7 +128,10 @@ final class LivePicture extends Region implements AutoCloseable {
     /** Draws rays above the picture. */
     void setRays(Optional<DrawnRays> drawn) {
         rays.setVisible(drawn.isPresent());
-        rays.setPainter(g -> drawn.ifPresent(known -> RayOverlay.paint(g, known)));
+        rays.setPainter(g -> {
+            drawn.ifPresent(known -> RayOverlay.paint(g, known));
+            return Optional.empty();
+        });
     }
 
     /** Is told when another picture has come to be seen. */

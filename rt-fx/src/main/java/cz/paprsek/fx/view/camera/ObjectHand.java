@@ -347,17 +347,26 @@ final class ObjectHand {
         picture.overlay().repaint();
     }
 
-    /** Handles, lines that something has come to, and figures. */
-    void draw(GraphicsContext g) {
+    /**
+     * Handles, lines that something has come to, and figures.
+     *
+     * @return whether that may be anywhere, rather than within the extent
+     */
+    boolean draw(GraphicsContext g, Extent extent) {
         band.draw(g);
-        handles().ifPresent(known -> known.draw(g, held.isPresent() ? held : hovered));
+        handles().ifPresent(known -> {
+            known.measure(extent);
+            known.draw(g, held.isPresent() ? held : hovered);
+        });
         Manipulation now = doing;
         if (now != null && now.gesture().isOpen()) {
-            Outlines outlines = new Outlines(g, model.state(), view.camera(shown.get()));
+            Outlines outlines = new Outlines(g, model.state(), view.camera(shown.get()), extent);
             now.guides().forEach(line -> guide(outlines, line, now.middle()));
             String figures = now.figures(edits.texts().locale());
             Plates.above(g, now.typed().isNone() && held.isEmpty() ? edits.texts().of("handles.prompt") : figures);
+            return true;
         }
+        return band.isDrawn();
     }
 
     private static void guide(Outlines outlines, Line line, Vec3 middle) {

@@ -29,12 +29,15 @@ final class Outlines {
     private final GraphicsContext g;
     private final CameraView view;
     private final Camera camera;
+    private final Extent extent;
     private final EditorState state;
 
-    Outlines(GraphicsContext g, EditorState state, Camera camera) {
+    /** @param extent of what is drawn */
+    Outlines(GraphicsContext g, EditorState state, Camera camera, Extent extent) {
         this.g = g;
         this.view = new CameraView(camera, g.getCanvas().getWidth(), g.getCanvas().getHeight());
         this.camera = camera;
+        this.extent = extent;
         this.state = state;
     }
 
@@ -84,16 +87,20 @@ final class Outlines {
         if (count(at) > Strokes.MANY) {
             together(List.of(at), look);
         } else {
-            BodyOutline.draw(g, view::line, camera.position(), state.scene(), at, look);
+            BodyOutline.draw(g, this::line, camera.position(), state.scene(), at, look);
         }
     }
 
     private void together(List<BodyAt> bodies, Look look) {
-        BodyOutline.draw(g, view::line, camera, state.scene(), bodies, look);
+        BodyOutline.draw(g, this::line, camera, state.scene(), bodies, look);
+    }
+
+    private List<Segment> line(Vec3 from, Vec3 to) {
+        return extent.with(view.line(from, to));
     }
 
     private void light(Vec3 place) {
-        for (Segment at : view.line(place, place.plus(Vec3.Y.times(1e-6)))) {
+        for (Segment at : line(place, place.plus(Vec3.Y.times(1e-6)))) {
             ring(Color.BLACK, at, 5);
             ring(Color.web("#ff9b3d"), at, 2.5);
         }
@@ -107,7 +114,7 @@ final class Outlines {
 
     /** A line of the world that something has come to. */
     void guide(Vec3 from, Vec3 to) {
-        List<Segment> pieces = view.line(from, to);
+        List<Segment> pieces = line(from, to);
         g.setLineDashes(6, 4);
         g.setLineWidth(1.5);
         g.setStroke(Color.web("#ffd33d"));

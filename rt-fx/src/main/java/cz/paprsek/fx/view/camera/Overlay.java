@@ -1,19 +1,25 @@
 package cz.paprsek.fx.view.camera;
 
-import java.util.function.Consumer;
-import javafx.scene.canvas.Canvas;
+import cz.paprsek.fx.view.look.Layer;
+import java.util.Optional;
+import java.util.function.Function;
+import javafx.geometry.Bounds;
 import javafx.scene.canvas.GraphicsContext;
 
 /** What is drawn above a picture, in its own coordinates. */
-final class Overlay extends Canvas {
-    private Consumer<GraphicsContext> painter = g -> {};
+final class Overlay extends Layer {
+    private Function<GraphicsContext, Optional<Bounds>> painter = g -> Optional.empty();
+    private Optional<Bounds> part = Optional.empty();
 
-    Overlay() {
+    /** @param name for style sheets and tests */
+    Overlay(String name) {
+        super(name);
         setMouseTransparent(true);
         setManaged(false);
     }
 
-    void setPainter(Consumer<GraphicsContext> value) {
+    /** @param value tells within what it has drawn all; nothing if that may be anywhere */
+    void setPainter(Function<GraphicsContext, Optional<Bounds>> value) {
         painter = value;
         repaint();
     }
@@ -22,17 +28,14 @@ final class Overlay extends Canvas {
     void place(double x, double y, double width, double height) {
         relocate(x, y);
         if (width != getWidth() || height != getHeight()) {
-            setWidth(width);
-            setHeight(height);
+            setSize(width, height);
+            showAll();
             repaint();
         }
     }
 
     void repaint() {
-        GraphicsContext g = getGraphicsContext2D();
-        g.clearRect(0, 0, getWidth(), getHeight());
-        if (getWidth() >= 1 && getHeight() >= 1) {
-            painter.accept(g);
-        }
+        draw(new Object(), g -> part = getWidth() >= 1 && getHeight() >= 1 ? painter.apply(g) : Optional.empty());
+        part.ifPresentOrElse(this::showOnly, this::showAll);
     }
 }

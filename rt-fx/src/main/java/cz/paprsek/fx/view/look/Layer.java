@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * One of several canvases above each other, which is drawn anew only when it is to show something else. Where little of it changes from one frame to the next, that part
  * alone is shown, since JavaFX paints anew, with all that lies below, whatever a canvas covers.
  */
-public final class Layer extends Canvas {
+public class Layer extends Canvas {
     private final Rectangle part = new Rectangle();
     private @Nullable Object shown;
     private int drawings;
@@ -21,7 +21,7 @@ public final class Layer extends Canvas {
         getStyleClass().add(name);
     }
 
-    public void setSize(double width, double height) {
+    public final void setSize(double width, double height) {
         setWidth(width);
         setHeight(height);
     }
@@ -31,7 +31,7 @@ public final class Layer extends Canvas {
      *
      * @param what all that the drawing depends on
      */
-    public void draw(Object what, Consumer<GraphicsContext> painter) {
+    public final void draw(Object what, Consumer<GraphicsContext> painter) {
         if (!what.equals(shown)) {
             shown = what;
             drawings++;
@@ -47,7 +47,7 @@ public final class Layer extends Canvas {
     }
 
     /** Shows what lies within bounds, pixels, and what was shown before no more. All that has been drawn lies there. */
-    public void showOnly(Bounds bounds) {
+    public final void showOnly(Bounds bounds) {
         part.setX(Math.floor(bounds.getMinX()));
         part.setY(Math.floor(bounds.getMinY()));
         part.setWidth(Math.max(0, Math.ceil(bounds.getMaxX()) - part.getX()));
@@ -55,12 +55,17 @@ public final class Layer extends Canvas {
         setClip(part);
     }
 
+    /** Shows all of it. */
+    public final void showAll() {
+        setClip(null);
+    }
+
     /**
      * Draws a part anew, whatever it depends on; all else stays as it is.
      *
      * @param part that begins and ends between pixels of the screen
      */
-    public void mend(Bounds part, Consumer<GraphicsContext> painter) {
+    public final void mend(Bounds part, Consumer<GraphicsContext> painter) {
         GraphicsContext g = getGraphicsContext2D();
         g.save();
         g.beginPath();
@@ -72,7 +77,7 @@ public final class Layer extends Canvas {
     }
 
     /** How often all of it has been drawn. */
-    public int drawings() {
+    public final int drawings() {
         return drawings;
     }
 }

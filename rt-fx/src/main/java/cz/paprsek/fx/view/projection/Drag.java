@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.projection;
 
+import cz.paprsek.drawing.Segment;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Gesture;
@@ -10,6 +11,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.function.BiFunction;
@@ -48,7 +50,12 @@ interface Drag {
     /** Draws what helps meanwhile. */
     default void draw(GraphicsContext g) {}
 
-    /** Whether that may be drawn anywhere in the pane. */
+    /** Lines across the pane that what is dragged has come to. */
+    default List<Segment> guides() {
+        return List.of();
+    }
+
+    /** Whether {@link #draw} may draw anywhere in the pane. */
     default boolean isWide() {
         return true;
     }

@@ -1,15 +1,16 @@
 package cz.paprsek.fx.view.projection;
 
+import cz.paprsek.drawing.Segment;
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.contact.Contact;
 import cz.paprsek.fx.model.edit.Arranging;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.ScenePath;
+import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import javafx.scene.canvas.GraphicsContext;
-import javafx.scene.paint.Color;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** Moves items in the plane of the projection: onto the grid, in line with others, until they touch others. */
@@ -18,7 +19,6 @@ final class MoveDrag extends Drag.Placing {
     private final double referenceU;
     private final double referenceV;
     private final Snapping snapping;
-    private final Color guideColor;
     private double guideU = Double.NaN;
     private double guideV = Double.NaN;
     private double byU;
@@ -31,13 +31,12 @@ final class MoveDrag extends Drag.Placing {
      * @param reference what is put on the grid: the position of a single item, a corner of several
      */
     MoveDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Box box, Box reference, Snapping snapping, boolean snaps,
-            Color guideColor, double startX, double startY) {
+            double startX, double startY) {
         super(gesture, items, axes, view, snaps, startX, startY);
         this.box = box;
         this.referenceU = reference.minU();
         this.referenceV = reference.minV();
         this.snapping = snapping;
-        this.guideColor = guideColor;
     }
 
     @Override
@@ -95,19 +94,12 @@ final class MoveDrag extends Drag.Placing {
 
     @Override
     public boolean isWide() {
-        return !Double.isNaN(guideU) || !Double.isNaN(guideV);
+        return false;
     }
 
     @Override
-    public void draw(GraphicsContext g) {
-        g.setStroke(guideColor);
-        g.setLineDashes(4, 4);
-        if (!Double.isNaN(guideU)) {
-            g.strokeLine(view.x(guideU), 0, view.x(guideU), view.height());
-        }
-        if (!Double.isNaN(guideV)) {
-            g.strokeLine(0, view.y(guideV), view.width(), view.y(guideV));
-        }
-        g.setLineDashes();
+    public List<Segment> guides() {
+        return Stream.of(new Segment(view.x(guideU), 0, view.x(guideU), view.height()), new Segment(0, view.y(guideV), view.width(), view.y(guideV)))
+                .filter(line -> !Double.isNaN(line.x1() + line.y1())).toList();
     }
 }

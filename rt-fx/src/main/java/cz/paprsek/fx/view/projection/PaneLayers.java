@@ -26,7 +26,9 @@ import java.util.stream.Stream;
 import javafx.geometry.BoundingBox;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
+import javafx.scene.Node;
 import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.shape.Line;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -60,6 +62,8 @@ final class PaneLayers {
     private final Layer selected = new Layer("selected");
     private final Layer signs = new Layer("signs");
     private final Layer grabbed = new Layer("grabbed");
+    /** Across the pane, one each way: on a layer they would have all of the pane painted anew, with all layers, whenever something is dragged along one of them. */
+    private final List<Line> guides = List.of(guide(), guide());
     /** What is drawn besides the scene. */
     Optional<DrawnRays> rays = Optional.empty();
     Optional<BodyAt> highlighted = Optional.empty();
@@ -84,13 +88,24 @@ final class PaneLayers {
         this.figures = figures;
     }
 
+    private static Line guide() {
+        Line line = new Line();
+        line.getStyleClass().add("guide");
+        line.getStrokeDashArray().setAll(4.0, 4.0);
+        line.setStrokeWidth(1.5);
+        line.setManaged(false);
+        line.setMouseTransparent(true);
+        line.setVisible(false);
+        return line;
+    }
+
     /** The lowest first. */
-    List<Layer> all() {
-        return List.of(rest, selected, signs, grabbed);
+    List<Node> all() {
+        return List.of(rest, selected, signs, guides.get(0), guides.get(1), grabbed);
     }
 
     void setSize(double width, double height) {
-        all().forEach(layer -> layer.setSize(width, height));
+        List.of(rest, selected, signs, grabbed).forEach(layer -> layer.setSize(width, height));
     }
 
     /** The box of the handles; empty if there is nothing to resize. */
@@ -204,6 +219,7 @@ final class PaneLayers {
                 Plate.beside(g, view, drag.figures(pane.texts().locale()), mouse, pane.theme().palette());
             }
         });
+        drawGuides();
         List<Bounds> parts = new ArrayList<>(above.taken().subList(painter.taken().size(), above.taken().size()));
         Stream.concat(Stream.of(box, grabs), grips.stream().map(grip -> Box.EMPTY.with(axes.u(grip.place()), axes.v(grip.place()))))
                 .filter(known -> !known.isEmpty()).forEach(known -> parts.add(view.of(known, AIR)));
@@ -213,6 +229,22 @@ final class PaneLayers {
         Bounds part = held != null || figures.areWithinBoxes(state.selection()) ? view.around(parts) : pane.getLayoutBounds();
         selected.showOnly(held != null ? view.of(held.box, AIR) : isAlone ? part : pane.getLayoutBounds());
         grabbed.showOnly(rays.isPresent() || (drag != null && drag.isWide()) ? pane.getLayoutBounds() : part);
+    }
+
+    private void drawGuides() {
+        List<Segment> lines = drag == null ? List.of() : drag.guides();
+        for (int i = 0; i < guides.size(); i++) {
+            Line guide = guides.get(i);
+            guide.setVisible(i < lines.size());
+            if (i < lines.size()) {
+                Segment line = lines.get(i);
+                guide.setStroke(pane.theme().palette().selected());
+                guide.setStartX(line.x1());
+                guide.setStartY(line.y1());
+                guide.setEndX(line.x2());
+                guide.setEndY(line.y2());
+            }
+        }
     }
 
     private @Nullable Held held(EditorState state, Viewport view) {

@@ -198,7 +198,7 @@ final class PaneMouse {
         Set<ScenePath> items = pane.movable();
         Box box = pane.figures().box(items);
         return new MoveDrag(model.begin(label(Edit.MOVE, items)), items, pane.axes(), pane.view(), box, reference(items, box), others(items),
-                pane.snaps(), pane.theme().palette().selected(), pressX, pressY);
+                pane.snaps(), pressX, pressY);
     }
 
     private Drag begin(Handle handle) {

@@ -6,6 +6,7 @@ import cz.paprsek.drawing.CameraView;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.fx.model.edit.CutPlane;
@@ -28,14 +29,19 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.IntStream;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
+import javafx.scene.SnapshotParameters;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
+import javafx.scene.paint.Color;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -279,6 +285,48 @@ class HandlesInPictureTest {
         assertThat(ScenePath.body(2).toWorld(model.scene()).point(Vec3.ZERO)).isEqualTo(new Vec3(-1.9, 0, 0.3));
         gui.act(() -> model.edit(Label.of(Label.Edit.MOVE), scene -> Moves.translated(scene, Set.of(TWO), new Vec3(1, 1, 0))));
         assertThat(ScenePath.body(2).toWorld(model.scene()).point(Vec3.ZERO)).isEqualTo(new Vec3(-2.9, 1, 0.3));
+    }
+
+    /** What is dragged elsewhere has little of the picture painted anew, and leaves nothing behind. */
+    @Test
+    void whatIsDrawnAboveThePictureCoversLittle() {
+        Overlay overlay = (Overlay) gui.node(".overlay");
+        Gesture drag = Gui.on(() -> model.begin(Label.of(Label.Edit.MOVE)));
+        for (Handles.Mode mode : List.of(Handles.Mode.MOVE, Handles.Mode.TURN, Handles.Mode.SCALE)) {
+            for (double by : new double[] {0, 0.7, -0.6, 30}) {
+                gui.act(() -> {
+                    ((ToggleButton) pane.lookup("#handles-" + mode.name().toLowerCase(Locale.ROOT))).fire();
+                    drag.preview(scene -> Moves.translated(scene, Set.of(ONE), new Vec3(by, by / 2, 0)));
+                });
+                Bounds part = Gui.on(() -> overlay.getClip().getBoundsInParent());
+                assertThat(part.getWidth() * part.getHeight()).isLessThan(overlay.getWidth() * overlay.getHeight() * 0.7);
+                assertThat(drawnOutside(overlay, part)).as("pixels drawn where they are not shown").isZero();
+            }
+        }
+        gui.act(drag::cancel);
+        Point2D from = place(new Vec3(0.4, 0, 0));
+        gui.moveTo(picture, from.getX(), from.getY());
+        gui.press(MouseButton.PRIMARY);
+        gui.moveTo(picture, from.getX() + 20, from.getY());
+        assertThat(Gui.on(overlay::getClip)).as("with figures at the upper edge").isNull();
+        gui.release(MouseButton.PRIMARY);
+        assertThat(Gui.on(overlay::getClip)).isNotNull();
+    }
+
+    private long drawnOutside(Overlay overlay, Bounds part) {
+        gui.pulse();
+        WritableImage all = Gui.on(() -> {
+            Node clip = overlay.getClip();
+            overlay.setClip(null);
+            SnapshotParameters clear = new SnapshotParameters();
+            clear.setFill(Color.TRANSPARENT);
+            WritableImage image = overlay.snapshot(clear, null);
+            overlay.setClip(clip);
+            return image;
+        });
+        int width = (int) all.getWidth();
+        return IntStream.range(0, (int) all.getHeight()).mapToLong(y -> IntStream.range(0, width).filter(x -> !part.contains(x + 0.5, y + 0.5))
+                .filter(x -> all.getPixelReader().getArgb(x, y) != 0).count()).sum();
     }
 
     private void type(String text) {

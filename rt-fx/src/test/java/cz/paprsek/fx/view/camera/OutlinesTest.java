@@ -91,7 +91,7 @@ class OutlinesTest {
     }
 
     private static int[] selected(Scene scene, Set<ScenePath> selected) {
-        return drawn(g -> new Outlines(g, state(scene, selected), CAMERA).selected());
+        return drawn(g -> new Outlines(g, state(scene, selected), CAMERA, new Extent(g.getCanvas())).selected());
     }
 
     private static int[] drawn(Consumer<GraphicsContext> drawing) {

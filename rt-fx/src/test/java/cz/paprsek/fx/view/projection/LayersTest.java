@@ -32,9 +32,11 @@ import java.util.stream.Stream;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.geometry.Point2D;
+import javafx.scene.Node;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.MouseButton;
 import javafx.scene.layout.StackPane;
+import javafx.scene.shape.Line;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -64,6 +66,28 @@ class LayersTest {
             assertThat(area).isBetween(1000.0, 400 * 300 / 6.0);
             assertThat(of("grabbed", LayersTest::area)).isEqualTo(area);
         }
+    }
+
+    /** Lines across the pane, too, have little of it painted anew. */
+    @Test
+    void whatAHandDragsCoversLittleWhereItIsInLineWithAnother() {
+        try (Gui gui = Gui.show(() -> pane, 400, 300)) {
+            Point2D from = Gui.on(() -> pane.toPane(new Vec3(4, 4, 0)));
+            Point2D to = Gui.on(() -> pane.toPane(new Vec3(6, 7, 0)));
+            gui.moveTo(pane, from.getX(), from.getY());
+            gui.press(MouseButton.PRIMARY);
+            gui.moveTo(pane, to.getX() - 5, to.getY());
+            gui.moveTo(pane, to.getX() + 1, to.getY() + 1);
+            assertThat(guides()).hasSize(2)
+                    .anySatisfy(line -> assertThat(line.getEndY() - line.getStartY()).isEqualTo(300)).anySatisfy(line -> assertThat(line.getEndX() - line.getStartX()).isEqualTo(400));
+            assertThat(of("grabbed", LayersTest::area)).isLessThan(400 * 300 / 4.0);
+            gui.release(MouseButton.PRIMARY);
+            assertThat(guides()).isEmpty();
+        }
+    }
+
+    private List<Line> guides() {
+        return Gui.on(() -> pane.lookupAll(".guide").stream().filter(Node::isVisible).map(Line.class::cast).toList());
     }
 
     /** Of three thousand, lines are drawn by other means. */
