@@ -1,5 +1,7 @@
 package cz.paprsek.fx.view.look;
 
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
 import javafx.geometry.Bounds;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.canvas.GraphicsContext;
@@ -9,6 +11,8 @@ import javafx.scene.paint.Color;
 public interface Strokes {
     /** From how many things on speed counts more than smoothness. */
     int MANY = 2000;
+    /** Of what may be drawn by itself, pixels each way. */
+    int LARGEST_SQUARE = 20;
 
     /** Where the next line begins, pixels of the canvas. */
     void moveTo(double x, double y);
@@ -43,6 +47,15 @@ public interface Strokes {
     /** Pixels of the screen for one of a canvas. */
     static double pixels(Canvas canvas) {
         return canvas.getScene() == null || canvas.getScene().getWindow() == null ? 1 : canvas.getScene().getWindow().getOutputScaleX();
+    }
+
+    /**
+     * Of how many pixels of a canvas, each way, a square is of whole pixels of the screen; empty if of very many.
+     *
+     * @param pixels of the screen for one of the canvas
+     */
+    static OptionalInt square(double pixels) {
+        return IntStream.rangeClosed(1, LARGEST_SQUARE).filter(size -> Math.abs(size * pixels - Math.rint(size * pixels)) < 1e-5).findFirst();
     }
 
     /**

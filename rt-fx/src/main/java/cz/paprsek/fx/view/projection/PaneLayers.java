@@ -20,6 +20,7 @@ import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -135,7 +136,7 @@ final class PaneLayers {
         if (!look.equals(drawnLook) || !figures.isLike(drawn, apart)) {
             Optional<Bounds> part = mendable(look);
             if (part.isPresent()) {
-                rest.mend(part.get(), g -> rest(g, look, part.get()));
+                rest.mend(part.get(), g -> rest(g, look, wider(part.get())));
             } else {
                 rest.draw(new Object(), g -> rest(g, look, new BoundingBox(0, 0, view.width(), view.height())));
                 isDrawnRoughly = model.gesturingProperty().get();
@@ -146,6 +147,11 @@ final class PaneLayers {
         drawAbove(state, view);
     }
 
+    /** As many lines are a picture whose edge is blurred where a pixel of the canvas is not one of the screen. */
+    private static Bounds wider(Bounds part) {
+        return new BoundingBox(part.getMinX() - LINE, part.getMinY() - LINE, part.getWidth() + 2 * LINE, part.getHeight() + 2 * LINE);
+    }
+
     private void rest(GraphicsContext g, Look look, Bounds part) {
         Grid.draw(g, look.view, axes, look.theme.palette());
         new Painter(g, look.view, axes, look.theme.palette(), part).rest(look.hidden, look.apart, figures);
@@ -154,12 +160,12 @@ final class PaneLayers {
     /** Where the lowest layer is otherwise if nothing has changed but a few things that are, or were, drawn apart; as when a drag begins or ends. Empty if it is to be drawn as a whole. */
     private Optional<Bounds> mendable(Look look) {
         Look before = drawnLook;
-        double pixels = Strokes.pixels(rest);
-        if (before == null || isDrawnRoughly || pixels != Math.rint(pixels) || !new Look(look.view, look.theme, before.apart, look.hidden).equals(before)) {
+        OptionalInt size = Strokes.square(Strokes.pixels(rest));
+        if (before == null || isDrawnRoughly || size.isEmpty() || !new Look(look.view, look.theme, before.apart, look.hidden).equals(before)) {
             return Optional.empty();
         }
         return figures.changed(drawn, before.apart, look.apart)
-                .map(box -> box.isEmpty() ? new BoundingBox(0, 0, 0, 0) : Viewport.whole(look.view.around(List.of(look.view.of(box, LINE)))));
+                .map(box -> box.isEmpty() ? new BoundingBox(0, 0, 0, 0) : Viewport.whole(look.view.around(List.of(look.view.of(box, LINE))), size.getAsInt()));
     }
 
     private void drawAbove(EditorState state, Viewport view) {

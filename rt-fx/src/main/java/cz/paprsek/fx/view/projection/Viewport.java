@@ -70,11 +70,11 @@ record Viewport(double centreU, double centreV, double scale, double width, doub
         return new BoundingBox(x(box.minU()) - air, y(box.maxV()) - air, x(box.maxU()) - x(box.minU()) + 2 * air, y(box.minV()) - y(box.maxV()) + 2 * air);
     }
 
-    /** All pixels that a rectangle touches. */
-    static Bounds whole(Bounds part) {
-        double x = Math.floor(part.getMinX());
-        double y = Math.floor(part.getMinY());
-        return new BoundingBox(x, y, Math.max(0, Math.ceil(part.getMaxX()) - x), Math.max(0, Math.ceil(part.getMaxY()) - y));
+    /** All squares of so many pixels that a rectangle touches, side by side from the pane's corner. */
+    static Bounds whole(Bounds part, int size) {
+        double x = Math.floor(part.getMinX() / size) * size;
+        double y = Math.floor(part.getMinY() / size) * size;
+        return new BoundingBox(x, y, Math.max(0, Math.ceil(part.getMaxX() / size) * size - x), Math.max(0, Math.ceil(part.getMaxY() / size) * size - y));
     }
 
     /** A rectangle around some, as far as it is on the pane. */

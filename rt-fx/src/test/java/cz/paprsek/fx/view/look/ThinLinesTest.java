@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.fx.Gui;
+import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import javafx.geometry.BoundingBox;
@@ -11,6 +12,7 @@ import javafx.scene.SnapshotParameters;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.image.WritableImage;
 import javafx.scene.paint.Color;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -55,6 +57,13 @@ class ThinLinesTest {
             assertThat(lines.hides(22, 22, 50, 38)).isFalse();
             assertThat(lines.hides(-50, -50, -10, -10)).as("beside the picture").isTrue();
         });
+    }
+
+    /** As of a screen at 125 %. */
+    @ParameterizedTest
+    @CsvSource({"1, 1", "2, 1", "1.25, 4", "1.5, 2", "1.75, 4", "1.2000000476837158, 5", "1.2345, "})
+    void aSquareOfWholePixelsOfTheScreenIsFound(double pixels, @Nullable Integer size) {
+        assertThat(Strokes.square(pixels)).isEqualTo(size == null ? OptionalInt.empty() : OptionalInt.of(size));
     }
 
     private static int[] drawn(double lineWidth, Color color, Consumer<Strokes> drawing) {

@@ -15,6 +15,7 @@ import cz.paprsek.shape.Sphere;
 import java.lang.management.ManagementFactory;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import javafx.geometry.BoundingBox;
 import javafx.scene.canvas.Canvas;
 import org.junit.jupiter.api.Test;
 
@@ -34,6 +35,12 @@ class PainterTest {
         });
         drawn(model);
         assertThat(drawn(model) / PICTURE).isOne();
+    }
+
+    @Test
+    void aPartIsMadeOfWholeSquares() {
+        assertThat(Viewport.whole(new BoundingBox(5.2, 3.9, 1, 2), 4)).isEqualTo(new BoundingBox(4, 0, 4, 8));
+        assertThat(Viewport.whole(new BoundingBox(5.2, 3.9, 1, 2), 1)).isEqualTo(new BoundingBox(5, 3, 2, 3));
     }
 
     /** Bytes that are taken where figures are known. */
