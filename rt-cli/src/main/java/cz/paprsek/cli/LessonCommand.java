@@ -6,6 +6,7 @@ import cz.paprsek.cli.process.Interruption;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.value.Words;
 import cz.paprsek.io.Failures;
 import cz.paprsek.lesson.Lesson;
 import cz.paprsek.lesson.Lesson.Formula;
@@ -23,6 +24,8 @@ import cz.paprsek.text.Numbers;
 import cz.paprsek.text.Similar;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -96,7 +99,11 @@ final class LessonCommand implements Callable<Integer> {
         if (!wanted.toLowerCase(Locale.ROOT).endsWith(".xml")) {
             throw new WrongUsage("there is no lesson \"" + wanted + "\"" + Similar.suggestion(wanted, Lessons.NAMES) + "; 'paprsek lesson' lists them, and files end in .xml");
         }
-        return Lessons.read(Path.of(wanted));
+        Path file = Words.path(wanted);
+        if (Files.notExists(file)) {
+            throw new NoSuchFileException(wanted);
+        }
+        return Lessons.read(file);
     }
 
     private int tell(Lesson lesson) {

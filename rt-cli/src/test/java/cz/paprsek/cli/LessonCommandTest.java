@@ -47,6 +47,14 @@ class LessonCommandTest {
     }
 
     @Test
+    void aFileThatIsNotThereIsNamedOnce() {
+        Path missing = folder.resolve("missing.xml");
+        Run run = Run.cli("lesson", missing);
+        assertThat(run.code()).isEqualTo(3);
+        assertThat(run.err()).isEqualTo(missing + ": no such file\n");
+    }
+
+    @Test
     void tasksThatAreNoneAreTold() throws IOException {
         Files.writeString(folder.resolve("scene.xml"), "<scene xmlns=\"urn:paprsek:scene:1\"><render width=\"8\" height=\"8\"/><camera position=\"0 0 5\" target=\"0 0 0\"/></scene>");
         Path file = Files.writeString(folder.resolve("mine.xml"), LESSON.formatted(0));
