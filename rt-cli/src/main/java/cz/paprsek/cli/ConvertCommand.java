@@ -108,6 +108,10 @@ final class ConvertCommand implements Callable<Integer> {
         if (Foreign.isPicture(scene)) {
             return picture(format.orElseThrow(() -> new WrongUsage(scene + " is a picture; let the new file end in one of " + ImageFormat.all())));
         }
+        if (format.isPresent() && !Incoming.isOnce(scene) && Files.notExists(scene)) {
+            terminal.message(scene + ": no such file");
+            return ExitCode.BAD_SCENE;
+        }
         if (format.isPresent()) {
             throw new WrongUsage("a scene becomes a picture where it is rendered: paprsek render " + scene + " -o " + name);
         }

@@ -69,6 +69,7 @@ class ConvertCommandTest {
         record Wrong(List<Object> words, int code, String sentence) {}
 
         for (Wrong wrong : List.of(
+                new Wrong(List.of(folder.resolve("none.png"), folder.resolve("a.png")), 3, folder.resolve("none.png") + ": no such file\n"),
                 new Wrong(List.of(scene, folder.resolve("a.png")), 2, "a scene becomes a picture where it is rendered: paprsek render " + scene + " -o " + folder.resolve("a.png")),
                 new Wrong(List.of(light, folder.resolve("a.xml")), 2, light + " is a picture; let the new file end in one of png, jpg"),
                 new Wrong(List.of(Files.writeString(folder.resolve("c.webp"), "RIFF"), folder.resolve("a.png")), 3, "c.webp: this is not a picture of a kind that can be read"),
