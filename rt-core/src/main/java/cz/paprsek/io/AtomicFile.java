@@ -163,7 +163,8 @@ public final class AtomicFile {
 
     /** Whether the system could not write, which names no file, or the one that was to become it; not what the content failed at. */
     private static boolean isOfWriting(IOException e) {
-        return e instanceof FileSystemException broken ? String.valueOf(broken.getFile()).endsWith(TEMPORARY) : Failures.isOfSystem(e);
+        return e instanceof FileSystemException broken ? String.valueOf(broken.getFile()).endsWith(TEMPORARY)
+                : Failures.isOfSystem(e) && !e.getStackTrace()[0].getMethodName().startsWith("read");
     }
 
     /** Where the links lead that begin at a name and end at a file that is not there yet. */

@@ -20,11 +20,14 @@ public final class Folders {
         try {
             Files.createDirectories(folder);
         } catch (FileAlreadyExistsException taken) {
-            throw occupied(folder, taken);
+            // A link to a folder is taken for no folder by some JDK 17; and what leads nowhere may be one that the folder lies in.
+            if (!Files.isDirectory(folder)) {
+                throw occupied(taken.getFile(), taken);
+            }
         } catch (FileSystemException refused) {
             for (Path above = folder.getParent(); above != null; above = above.getParent()) {
                 if (Files.exists(above) && !Files.isDirectory(above)) {
-                    throw occupied(above, refused);
+                    throw occupied(above.toString(), refused);
                 }
             }
             throw refused;
@@ -40,7 +43,7 @@ public final class Folders {
         make(Objects.requireNonNull(file.toAbsolutePath().getParent()));
     }
 
-    private static IOException occupied(Path folder, IOException cause) {
+    private static IOException occupied(String folder, IOException cause) {
         return new IOException(folder + " is not a directory, so nothing can be written there", cause);
     }
 }

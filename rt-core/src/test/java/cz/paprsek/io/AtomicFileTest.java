@@ -115,6 +115,13 @@ class AtomicFileTest {
         assertThatThrownBy(() -> AtomicFile.write(old(), out -> { throw new IOException("no scene can say that"); })).hasMessage("no scene can say that");
     }
 
+    /** What is copied may lie on a disk that is broken: here, the memory that nobody may read at its beginning. */
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void whatCannotBeReadIsNotTakenForWhatIsWritten() {
+        assertThatThrownBy(() -> AtomicFile.write(old(), out -> Files.copy(Path.of("/proc/self/mem"), out))).isInstanceOf(IOException.class).hasMessage("Input/output error");
+    }
+
     private static boolean run(String... command) throws Exception {
         return new ProcessBuilder(command).start().waitFor() == 0;
     }
