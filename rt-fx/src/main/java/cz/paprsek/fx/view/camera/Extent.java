@@ -39,8 +39,11 @@ final class Extent {
         bottom = Math.max(bottom, y);
     }
 
-    /** As far as it is on the canvas. */
+    /** As far as it is on the canvas; of no size if there are no lines. */
     Bounds bounds() {
+        if (left > right) {
+            return new BoundingBox(0, 0, 0, 0);
+        }
         double x = Math.max(0, left - AIR);
         double y = Math.max(0, top - AIR);
         return new BoundingBox(x, y, Math.max(0, Math.min(width, right + AIR) - x), Math.max(0, Math.min(height, bottom + AIR) - y));

@@ -33,6 +33,7 @@ import java.util.stream.IntStream;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.geometry.BoundingBox;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
@@ -304,6 +305,9 @@ class HandlesInPictureTest {
             }
         }
         gui.act(drag::cancel);
+        gui.act(() -> model.select(Set.of()));
+        assertThat(Gui.on(() -> overlay.getClip().getBoundsInParent())).as("with nothing to draw").isEqualTo(new BoundingBox(0, 0, 0, 0));
+        gui.act(() -> model.select(ONE));
         Point2D from = place(new Vec3(0.4, 0, 0));
         gui.moveTo(picture, from.getX(), from.getY());
         gui.press(MouseButton.PRIMARY);
