@@ -72,8 +72,20 @@ class MeshFormatsTest {
 
     @Test
     void remarksMayStandBehindWhatALineSays() throws IOException {
-        Model model = Read.text(ForeignFormat.OBJ, "v 0 0 0 # a\nv 1 0 0 # b 1 2 3\nv 0 1 0\t# c\nv 1 1 1 0.5 #\nvn 0 0 1 # up\nvt 0 0 # corner\ns 1 # smooth\n"
-                + "f 1 2 3 # first\nf 1/1 2/1 3/1 4/1 #4\nf 1//1 2//1 4//1\t# 9\nf 1 3 \\\n 4 # joined\n");
+        Model model = Read.text(ForeignFormat.OBJ, """
+                v 0 0 0 # a
+                v 1 0 0 # b 1 2 3
+                v 0 1 0\t# c
+                v 1 1 1 0.5 #
+                vn 0 0 1 # up
+                vt 0 0 # corner
+                s 1 # smooth
+                f 1 2 3 # first
+                f 1/1 2/1 3/1 4/1 #4
+                f 1//1 2//1 4//1\t# 9
+                f 1 3 \\
+                 4 # joined
+                """);
         assertThat(model.triangles().count()).isEqualTo(5);
         assertThat(model.notes()).isEmpty();
         assertThat(Read.fault(ForeignFormat.OBJ, "v 0 0 0\nv 1 0 0\nf 1 2 # 3")).isEqualTo("line 3: a face needs at least three corners, but this one has 2");
