@@ -104,11 +104,12 @@ class ProcessTest {
     @Test
     void aFileThatALocaleCannotNameIsSaidWhereTheSceneNamesIt() throws Exception {
         Path scene = Scenes.scene(folder.resolve("s.xml"), "<sphere radius=\"1\"><material><image file=\"dlaždice.png\"/></material></sphere>");
-        for (String command : List.of("render", "validate")) {
-            ProcessBuilder builder = builder(List.of(), command, scene.toString());
+        String other = Files.createDirectory(folder.resolve("other")).resolve("s.xml").toString();
+        for (String[] words : new String[][] {{"render", scene.toString()}, {"validate", scene.toString()}, {"convert", scene.toString(), other}}) {
+            ProcessBuilder builder = builder(List.of(), words);
             builder.environment().put("LC_ALL", "C");
             Ended ended = end(builder);
-            assertThat(ended.code()).isEqualTo(3);
+            assertThat(ended.code()).isEqualTo(words[0].equals("convert") ? 1 : 3);
             assertThat(ended.err()).contains("s.xml:").contains(": there can be no file of this name: the locale (").endsWith("LC_ALL=C.UTF-8 has\n").doesNotContain("\tat ");
         }
     }

@@ -2,6 +2,7 @@ package cz.paprsek.format;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.io.AtomicFile;
+import cz.paprsek.io.Failures;
 import cz.paprsek.io.Folders;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
@@ -10,6 +11,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -58,7 +60,7 @@ public final class Belongings {
         Map<Path, AtomicFile.Content> copies = new LinkedHashMap<>();
         Set<String> inner = meshes(read).flatMap(mesh -> mesh.within().keySet().stream()).collect(Collectors.toSet());
         for (String name : names(read, areUnpacked)) {
-            Path copy = sceneFile.toAbsolutePath().resolveSibling(name);
+            Path copy = beside(sceneFile, name);
             Optional<Path> original = folder.filter(from -> !inner.contains(name)).map(from -> from.resolve(name)).filter(Files::isRegularFile);
             Optional<byte[]> content = original.isPresent() ? Optional.empty() : content(name);
             if (original.isEmpty() && content.isEmpty()) {
@@ -74,6 +76,14 @@ public final class Belongings {
             AtomicFile.write(copy.getKey(), copy.getValue());
         }
         return missing;
+    }
+
+    private static Path beside(Path sceneFile, String name) throws IOException {
+        try {
+            return sceneFile.toAbsolutePath().resolveSibling(name);
+        } catch (InvalidPathException e) {
+            throw new IOException("\"" + name + "\": there can be no file of this name: " + Failures.noName(e), e);
+        }
     }
 
     private static SortedSet<String> names(Scene scene, boolean areUnpacked) {
