@@ -13,7 +13,7 @@ import java.util.Optional;
 /** Files that are no scenes but look as if somebody hoped they were, by the ending of their names. */
 public final class Foreign {
     private static final String MESH = ", which is not read; export it as glTF, OBJ, STL or PLY";
-    private static final String PICTURE = "; if the picture is to be written there, say -o before it";
+    private static final String PICTURE = ", not a scene; if render is to write it, put -o before it";
     private static final String POV = ", which is written here (paprsek convert) but not read";
     private static final String PACKED = "; unpack it first";
     /** What to do with one that comes in as it is read. */

@@ -148,13 +148,13 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
 
     private String missing(IntFunction<Coverage> covered) {
         if (!span().isStill()) {
-            return "of " + lacking(covered).count() + " of " + span().count() + " frames tiles are missing: " + told(lacking(covered).mapToObj(String::valueOf));
+            return "tiles are missing in " + lacking(covered).count() + " of " + span().count() + " frames: " + told(lacking(covered).mapToObj(String::valueOf));
         }
         Tile region = card.orElseThrow().region();
         int passes = card.orElseThrow().passes();
         if (covered.apply(0).isInPasses()) {
             List<Integer> some = IntStream.rangeClosed(1, passes).filter(pass -> !covered.apply(0).covers(pass, region)).boxed().toList();
-            return "of " + some.size() + " of " + passes + " passes tiles are missing: " + told(some.stream().map(String::valueOf));
+            return "tiles are missing in " + some.size() + " of " + passes + " passes: " + told(some.stream().map(String::valueOf));
         }
         List<Tile> tiles = Grid.tiles(region, Grid.SIDE);
         List<Tile> missing = tiles.stream().filter(tile -> !covered.apply(0).covers(tile)).toList();

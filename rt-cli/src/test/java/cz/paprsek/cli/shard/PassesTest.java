@@ -59,7 +59,7 @@ class PassesTest {
         render("", "--by", "passes", "--shard", "1/2", "-o", parts);
         Run lacking = Run.cli("merge", parts, "-o", folder.resolve("merged.pfm"));
         assertThat(lacking.code()).isEqualTo(ExitCode.PARTS_LACKING);
-        assertThat(lacking.err()).contains("of 2 of 4 passes tiles are missing: 2 4;", "\npaprsek render " + scene + " --by passes --shard 2/2 -o " + parts + "\n");
+        assertThat(lacking.err()).contains("tiles are missing in 2 of 4 passes: 2 4;", "\npaprsek render " + scene + " --by passes --shard 2/2 -o " + parts + "\n");
         render("", "--shard", "2/3", "-o", parts);
         Run rest = render("", "--by", "passes", "--shard", "1/1", "-o", parts);
         assertThat(rest.out()).contains("shard 1/1  24 parts, 16 of them there before");
@@ -79,7 +79,7 @@ class PassesTest {
         Files.write(part, wrong);
         Run damaged = Run.cli("merge", parts, "-o", folder.resolve("merged.ppm"));
         assertThat(damaged.code()).isEqualTo(ExitCode.PARTS_LACKING);
-        assertThat(damaged.err()).contains(part + ": damaged", "of 1 of 2 passes tiles are missing: 2;");
+        assertThat(damaged.err()).contains(part + ": damaged", "tiles are missing in 1 of 2 passes: 2;");
         assertThat(render("--samples 128 --by passes", "--shard", "1/1", "-o", parts).out()).contains("12 parts, 11 of them there before");
         assertThat(part).hasBinaryContent(right);
         assertMerged(whole, "merged.ppm");
@@ -96,7 +96,7 @@ class PassesTest {
         Path merged = Files.createDirectories(folder.resolve("merged"));
         render(words, "-o", whole.resolve("f.png"));
         render(words, "--by", "passes", "--shard", "2/2", "-o", parts);
-        assertThat(Run.cli("merge", parts, "-o", merged.resolve("f.png")).err()).contains("of 2 of 2 frames tiles are missing: 2 3;", " --by passes --shard 1/2 ");
+        assertThat(Run.cli("merge", parts, "-o", merged.resolve("f.png")).err()).contains("tiles are missing in 2 of 2 frames: 2 3;", " --by passes --shard 1/2 ");
         render(words, "--by", "passes", "--shard", "1/2", "-o", parts);
         Run run = Run.cli("merge", parts, "-o", merged.resolve("f.png"));
         assertThat(run.code()).as(run.err()).isEqualTo(ExitCode.DONE);

@@ -82,7 +82,7 @@ class ShardsTest {
         assertThat(film(scene, words, "--shard", "2/2", "-o", parts).code()).isEqualTo(ExitCode.DONE);
         Run lacking = Run.cli("merge", parts, "-o", merged.resolve("f.png"));
         assertThat(lacking.code()).isEqualTo(ExitCode.PARTS_LACKING);
-        assertThat(lacking.err()).contains(" frames tiles are missing: ", "\npaprsek render " + scene + " " + words + " --shard 1/2 -o " + parts + "\n");
+        assertThat(lacking.err()).contains("tiles are missing in ", "\npaprsek render " + scene + " " + words + " --shard 1/2 -o " + parts + "\n");
         Run rest = film(scene, words, "--shard", "1/2", "-o", parts);
         assertThat(rest.code()).as(rest.err()).isEqualTo(ExitCode.DONE);
         Run run = Run.cli("merge", parts, "-o", merged.resolve("f.png"));
@@ -102,7 +102,7 @@ class ShardsTest {
         Run run = Run.cli("merge", parts, "--frames", "4", "-o", folder.resolve("{frame}.ppm"));
         assertThat(run.code()).as(run.err()).isEqualTo(ExitCode.DONE);
         assertThat(folder.resolve("0004.ppm")).exists();
-        assertThat(Run.cli("merge", parts, "--frames", "3-4", "-o", folder.resolve("{frame}.ppm")).err()).contains("of 1 of 2 frames tiles are missing: 3;", "--shard 1/2 ");
+        assertThat(Run.cli("merge", parts, "--frames", "3-4", "-o", folder.resolve("{frame}.ppm")).err()).contains("tiles are missing in 1 of 2 frames: 3;", "--shard 1/2 ");
         Run other = film(scene, "--frames 1-16 --fps 20", "--shard", "2/2", "-o", parts);
         assertThat(other.err()).contains("of another scene");
         try (Stream<Path> files = Files.list(parts.resolve("frame-000004"))) {
@@ -122,9 +122,9 @@ class ShardsTest {
         assertThat(film(scene, "--frames 1-16", "--shard", "1/1", "-o", parts).code()).isEqualTo(ExitCode.DONE);
         Run wished = Run.cli("merge", parts, "--frames", "1-18", "-o", folder.resolve("merged/{frame}.ppm"));
         assertThat(wished.code()).isEqualTo(ExitCode.PARTS_LACKING);
-        assertThat(wished.err()).contains("of 2 of 18 frames tiles are missing: 17 18;", "\npaprsek render " + scene + " --frames 1-18 --shard 1/1 -o " + parts + "\n");
+        assertThat(wished.err()).contains("tiles are missing in 2 of 18 frames: 17 18;", "\npaprsek render " + scene + " --frames 1-18 --shard 1/1 -o " + parts + "\n");
         assertThat(film(scene, "--frames 1-18", "--shard", "2/2", "-o", parts).code()).isEqualTo(ExitCode.DONE);
-        assertThat(Run.cli("merge", parts, "-o", folder.resolve("merged/{frame}.ppm")).err()).contains("of 1 of 18 frames tiles are missing: 17;", " --frames 1-18 ");
+        assertThat(Run.cli("merge", parts, "-o", folder.resolve("merged/{frame}.ppm")).err()).contains("tiles are missing in 1 of 18 frames: 17;", " --frames 1-18 ");
         assertThat(film(scene, "--frames 1-18", "--shard", "1/2", "-o", parts).code()).isEqualTo(ExitCode.DONE);
         Files.write(parts.resolve("frame-000003/z.part"), new byte[] {1, 2, 3});
         Run run = Run.cli("merge", parts, "-o", folder.resolve("merged/{frame}.ppm"));
