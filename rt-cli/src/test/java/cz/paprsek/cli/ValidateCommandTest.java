@@ -288,4 +288,33 @@ class ValidateCommandTest {
         assertThat(Run.cli("validate", file, "--assets", assets).code()).isZero();
         assertThat(Run.cli("validate", file, "--json").out()).contains("\"valid\":false", "\"line\":5");
     }
+
+    /** What a scene is made of: copies, definitions, formulas, another file. What stands behind them stands elsewhere in the scene than in the file. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            <repeat count='5'><sphere radius='1'/></repeat>|§<sphere radius='1'><material reflection='0.9'/></sphere>
+            <repeat count='{n}'><sphere radius='1'/></repeat>|<mesh §file='none.stl'/>
+            <param name='r' value='0.9'/>|<repeat count='2'>§<sphere radius='1'><material reflection='{r}'/></sphere></repeat>
+            <sphere radius='{n}'/>|<define name='d'><mesh §file='none.stl'/></define><union><instance of='d'/><instance of='d'/></union>
+            <repeat count='5'><text value='a&#10;b'/></repeat>|<text value='A' §font='none.ttf'/>
+            <repeat count='5'><extrude height='1' path='M0 0H1~V1Z'/></repeat>|<sphere radius='1'><material><image §file='none.png'/></material></sphere>
+            """)
+    void whatIsMadeIsToldWhereItStands(String before, String body) throws IOException {
+        String head = "<scene xmlns='urn:paprsek:scene:1'><param name='n' value='3'/><camera position='0 1 50' target='0 0 0'/>" + LIGHT + "\n" + before.replace('~', '\n') + "\n";
+        Path file = Files.writeString(folder.resolve("made.xml"), head + body.replace("§", "") + "</scene>");
+        String place = file + ":" + (head.chars().filter(c -> c == '\n').count() + 1) + ":" + (body.indexOf('§') + 1) + ": ";
+        assertThat(Run.cli("validate", "-D", "n=4", file, "--strict").err().lines()).isNotEmpty().allSatisfy(told -> assertThat(told).startsWith(place));
+    }
+
+    @Test
+    void whatIsIncludedIsToldWhereItStandsThere() throws IOException {
+        Files.writeString(folder.resolve("parts.xml"), """
+                <scene xmlns='urn:paprsek:scene:1'><camera position='0 1 5' target='0 0 0'/>
+                  <material name='m' reflection='0.9'/>
+                </scene>
+                """);
+        Path file = Files.writeString(folder.resolve("made.xml"), "<scene xmlns='urn:paprsek:scene:1'><include file='parts.xml'/><camera position='0 1 50' target='0 0 0'/>" + LIGHT
+                + "<sphere radius='1' material='m'/></scene>");
+        assertThat(Run.cli("validate", file).out()).startsWith(folder.resolve("parts.xml") + ":2:3: warning: material \"m\": ");
+    }
 }

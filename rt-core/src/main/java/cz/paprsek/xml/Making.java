@@ -109,11 +109,16 @@ record Making(Map<String, String> parameters, Moment moment, IncludedFiles files
         } catch (Unpatchable unknown) {
             return Optional.empty();
         }
-        if ((parameters.isEmpty() && !Script.mayBeIn(utf8)) || !isWellFormed(file)) {
+        if (!mayMake(utf8) || !isWellFormed(file)) {
             return Optional.empty();
         }
         Optional<Script> script = Script.of(utf8, name, parameters, moment, files, SceneFiles.LARGEST);
         return script.isEmpty() ? Optional.empty() : Optional.of(contents(script.get(), name));
+    }
+
+    /** Whether a file may have anything that must be made; if not, it is as all others. */
+    boolean mayMake(byte[] utf8) {
+        return !parameters.isEmpty() || Script.mayBeIn(utf8);
     }
 
     static Contents contents(Script script, String name) throws SceneFileException, IOException {

@@ -14,8 +14,6 @@ import cz.paprsek.xml.SceneFiles.Contents;
 import cz.paprsek.xml.text.Excerpt;
 import cz.paprsek.xml.text.FileText;
 import cz.paprsek.xml.text.Form;
-import cz.paprsek.xml.text.Places;
-import cz.paprsek.xml.text.Places.Place;
 import cz.paprsek.xml.text.Places.Step;
 import cz.paprsek.xml.text.Unpatchable;
 import cz.paprsek.xml.write.SceneForms;
@@ -52,22 +50,25 @@ public final class OriginalText {
     private final Contents contents;
     /** Whether somebody has written it for a scene as it is, so that it counts for more than what is there. */
     private final boolean isTyped;
+    /** How the scenes are made of the text. */
+    private final Making how;
 
     /** @param file its name, for messages */
     OriginalText(String file, byte[] bytes, Contents contents) {
-        this(file, bytes, contents, false);
+        this(file, bytes, contents, false, Making.PLAIN);
     }
 
-    private OriginalText(String file, byte[] bytes, Contents contents, boolean isTyped) {
+    private OriginalText(String file, byte[] bytes, Contents contents, boolean isTyped, Making how) {
         this.file = file;
         this.bytes = bytes;
         this.contents = contents;
         this.isTyped = isTyped;
+        this.how = how;
     }
 
     /** What somebody has written, which says this scene. */
     OriginalText typed(Scene scene) {
-        return new OriginalText(file, bytes, new Contents(List.of(scene), false), true);
+        return new OriginalText(file, bytes, new Contents(List.of(scene), false), true, how);
     }
 
     /**
@@ -77,7 +78,7 @@ public final class OriginalText {
      */
     public OriginalText asTyped() {
         Require.that(contents.scenes().size() == 1 && !contents.isDatabase(), "what is typed must be the text of one scene");
-        return new OriginalText("text", bytes, contents, true);
+        return new OriginalText("text", bytes, contents, true, how);
     }
 
     boolean isTyped() {
@@ -110,8 +111,7 @@ public final class OriginalText {
         return read(Source.of(input), fileName, ReadMonitor.NONE, Making.from(assets, Objects.requireNonNull(parameters, "parameters")));
     }
 
-    /** Says something of what is in a file, with line and column. */
-    @FunctionalInterface
+    /** Says something of what is in a file, with line and column; of what comes of a file that is included, there. */
     public interface Pointer {
         /**
          * What is to be said, and where it begins that this is about.
@@ -121,18 +121,13 @@ public final class OriginalText {
          * @param attribute of what is there; empty, or one that the file does not give, for all of it
          */
         Problem at(int scene, Optional<ScenePath> place, String attribute, String message);
-    }
 
-    /**
-     * What is to be said of a file that a scene names, and where it is named.
-     *
-     * @param scene which of the scenes here, from 0
-     */
-    public Problem naming(int scene, String named, String message) {
-        Objects.requireNonNull(named, "named");
-        Objects.requireNonNull(message, "message");
-        Place place = text().map(text -> text.places().naming(scene, named)).orElse(new Place(1, 1));
-        return new Problem(file, place.line(), place.column(), message);
+        /**
+         * What is to be said of a file that a scene names, and where it is named.
+         *
+         * @param scene which of the scenes of the file, from 0
+         */
+        Problem naming(int scene, String named, String message);
     }
 
     static OriginalText read(Path path, ReadMonitor monitor) throws SceneFileException, IOException {
@@ -155,7 +150,7 @@ public final class OriginalText {
             recorded.add(new RecordedInput(new WatchedInput(input, size, monitor)));
             return recorded.getLast();
         }, file, how);
-        return new OriginalText(file, recorded.getLast().bytes(), contents);
+        return new OriginalText(file, recorded.getLast().bytes(), contents, false, how);
     }
 
     /**
@@ -196,7 +191,7 @@ public final class OriginalText {
         if (contents.isDatabase()) {
             SceneDatabase.of(wanted);
         }
-        Optional<FileText> text = text();
+        Optional<FileText> text = Whereabouts.text(bytes);
         List<Form> plain = forms(wanted);
         List<Form> written = IntStream.range(0, wanted.size()).mapToObj(i -> written(wanted.get(i), plain.get(i), from)).toList();
         for (List<Form> forms : from.isEmpty() ? List.of(plain) : List.of(written, plain)) {
@@ -210,21 +205,26 @@ public final class OriginalText {
         return (contents.isDatabase() ? SceneFiles.formatAll(wanted) : SceneFiles.format(wanted.get(0))).getBytes(StandardCharsets.UTF_8);
     }
 
-    private Optional<FileText> text() {
-        try {
-            return Optional.of(new FileText(bytes));
-        } catch (Unpatchable e) {
-            return Optional.empty();
-        }
-    }
-
-    /** Finds out where things are in the file, once for any number of messages. */
+    /** Finds out where things are in the file when first it is asked, once for any number of messages. */
     public Pointer pointer() {
-        Optional<Places> places = text().map(FileText::places);
-        return (scene, path, attribute, message) -> {
-            List<Step> way = path.map(at -> way(contents.scenes().get(scene), at)).orElse(List.of());
-            Place place = places.map(known -> known.of(scene, way, attribute)).orElse(new Place(1, 1));
-            return new Problem(file, place.line(), place.column(), message);
+        return new Pointer() {
+            private Optional<Whereabouts> known = Optional.empty();
+
+            private Whereabouts known() {
+                Whereabouts now = known.orElseGet(() -> new Whereabouts(file, bytes, how));
+                known = Optional.of(now);
+                return now;
+            }
+
+            @Override
+            public Problem at(int scene, Optional<ScenePath> place, String attribute, String message) {
+                return known().of(scene, place.map(there -> way(contents.scenes().get(scene), there)).orElse(List.of()), attribute, message);
+            }
+
+            @Override
+            public Problem naming(int scene, String named, String message) {
+                return known().naming(scene, named, message);
+            }
         };
     }
 
@@ -246,11 +246,11 @@ public final class OriginalText {
         Scene scene = Settled.of(given);
         Optional<Excerpt> excerpt = excerpt(scene).or(() -> excerpt(scene, there -> there.name().equals(scene.name())));
         if (excerpt.isPresent()) {
-            FileText text = text().orElseThrow();
+            FileText text = Whereabouts.text(bytes).orElseThrow();
             String alone = "<?xml version=\"" + text.version() + "\" encoding=\"UTF-8\"?>" + text.lineBreak() + excerpt.get().alone(text.lineBreak());
             byte[] own = alone.getBytes(StandardCharsets.UTF_8);
             if (says(own, List.of(scene))) {
-                return new OriginalText(file, own, new Contents(List.of(scene), false), isTyped);
+                return new OriginalText(file, own, new Contents(List.of(scene), false), isTyped, how);
             }
         }
         return of(scene);
@@ -277,7 +277,7 @@ public final class OriginalText {
             return Optional.empty();
         }
         try {
-            return text().map(text -> text.excerpt(found.getAsInt(), SceneForms.scene(scenes.get(found.getAsInt())), SceneForms.scene(wanted)));
+            return Whereabouts.text(bytes).map(text -> text.excerpt(found.getAsInt(), SceneForms.scene(scenes.get(found.getAsInt())), SceneForms.scene(wanted)));
         } catch (Unpatchable e) {
             return Optional.empty();
         }

@@ -59,11 +59,12 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
         List<Problem> problems = new ArrayList<>();
         List<Scene> scenes = new ArrayList<>();
         Set<Integer> lacking = new HashSet<>();
+        OriginalText.Pointer pointer = text.pointer();
         for (Scene scene : text.contents().scenes()) {
             int number = scenes.size();
             scenes.add(MeshFiles.read(scene, assets, (place, problem) -> {
                 lacking.add(number);
-                problems.add(text.pointer().at(number, Optional.of(place), place.in(scene).shape() instanceof Text ? "font" : "file", String.valueOf(problem.getMessage())));
+                problems.add(pointer.at(number, Optional.of(place), place.in(scene).shape() instanceof Text ? "font" : "file", String.valueOf(problem.getMessage())));
             }));
         }
         return new SceneReading(file, scenes, problems, Optional.of(text), Optional.empty(), lacking);
@@ -78,22 +79,23 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
     public SceneReading withPictures(Pictures pictures) {
         Assets assets = pictures.of(file);
         List<Problem> all = new ArrayList<>(problems);
+        Optional<OriginalText.Pointer> pointer = text.map(OriginalText::pointer);
         whole().forEach(number -> Pictures.ofMeshes(scenes.get(number)).forEach((name, at) -> {
             try {
                 assets.bytes(name);
             } catch (IOException e) {
                 String sentence = Failures.sentence(e);
-                all.add(text.map(known -> known.pointer().at(number, Optional.of(at), "file", sentence)).orElseGet(() -> new Problem(file.toString(), 0, 0, sentence)));
+                all.add(pointer.map(known -> known.at(number, Optional.of(at), "file", sentence)).orElseGet(() -> new Problem(file.toString(), 0, 0, sentence)));
             }
         }));
-        for (int i = 0; i < scenes.size() && text.isPresent(); i++) {
+        for (int i = 0; i < scenes.size() && pointer.isPresent(); i++) {
             for (String name : scenes.get(i).files()) {
                 try {
                     assets.bytes(name);
                 } catch (IOException e) {
-                    Problem problem = text.get().naming(i, name, Failures.sentence(e));
-                    // Of meshes, it has been told already.
-                    if (!all.contains(problem)) {
+                    Problem problem = pointer.get().naming(i, name, Failures.sentence(e));
+                    // Of meshes and fonts, it has been told already.
+                    if (all.stream().noneMatch(told -> told.toString().startsWith(problem.toString()))) {
                         all.add(problem);
                     }
                 }

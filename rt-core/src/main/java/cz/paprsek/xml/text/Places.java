@@ -58,13 +58,14 @@ public final class Places {
     }
 
     /**
-     * The place of the first {@code file} attribute that names a file; of the scene if there is none, or it is written in other letters.
+     * The place of the first attribute that names a file; of the scene if there is none, or it is written in other letters.
      *
      * @param scene which scene of a database it is in, from 0
+     * @param attributes the names of those that may
      */
-    public Place naming(int scene, String file) {
+    public Place naming(int scene, List<String> attributes, String file) {
         return place(descendants(scene(scene)).flatMap(one -> source.attributes(one).stream())
-                .filter(one -> one.name().equals("file") && source.text(one.valueFrom(), one.valueTo()).equals(file)).map(Source.Attribute::start)
+                .filter(one -> attributes.contains(one.name()) && source.text(one.valueFrom(), one.valueTo()).equals(file)).map(Source.Attribute::start)
                 .findFirst().orElse(scene(scene).start()));
     }
 
