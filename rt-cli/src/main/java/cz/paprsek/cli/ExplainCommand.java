@@ -136,9 +136,9 @@ final class ExplainCommand implements Callable<Integer> {
         try {
             Scene scene = frame.of(chosen.of(file));
             if (!mistakes.made().equals(Mistakes.NONE)) {
-                return beside(scene, wishes.applyTo(scene.settings()).settings());
+                return beside(scene, options(wishes, scene).settings());
             }
-            return explain(scene, wishes.applyTo(scene.settings()));
+            return explain(scene, options(wishes, scene));
         } catch (CancellationException interrupted) {
             return Interruption.told(terminal, json);
         } catch (IllegalStateException e) {
@@ -150,6 +150,15 @@ final class ExplainCommand implements Callable<Integer> {
         } catch (IOException e) {
             terminal.message(SceneReading.sentence(file, file.toString(), chosen.pictures(), e));
             return ExitCode.BAD_SCENE;
+        }
+    }
+
+    /** Which numbers of samples there are, the scene's integrator says. */
+    private RenderOptions options(Wishes wishes, Scene scene) {
+        try {
+            return wishes.applyTo(scene.settings());
+        } catch (IllegalArgumentException refused) {
+            throw new WrongUsage(file + ": " + refused.getMessage());
         }
     }
 

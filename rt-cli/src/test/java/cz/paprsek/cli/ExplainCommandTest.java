@@ -64,6 +64,8 @@ class ExplainCommandTest {
         Run tooMany = Run.cli("explain", deep, "8,4", "--max-depth", "60");
         assertThat(tooMany.code()).isEqualTo(ExitCode.WRONG_USAGE);
         assertThat(tooMany.err()).contains("deep.xml: there are more than 100000 rays, too many to explain; ask for a lower max-depth or fewer samples");
+        assertThat(Run.cli("explain", file, "1,1", "--samples", "64").err()).startsWith("paprsek: " + file + ": render samples must be a whole number from 1 to 16, but is 64\n");
+        assertThat(Run.cli("explain", file, "1,1", "--samples", "1..17").code()).isEqualTo(ExitCode.WRONG_USAGE);
         assertThat(Run.cli("explain", folder.resolve("no.xml"), "1,1").code()).isEqualTo(ExitCode.BAD_SCENE);
         assertThat(Run.cli("explain", Scenes.broken(folder.resolve("bad.xml")), "1,1").err()).contains("bad.xml:2:");
     }

@@ -280,9 +280,9 @@ class FramesTest {
             --shutter 0.5 | --shutter is for frames of a film
             --frame 0 | frames begin with 1, but here is 0
             --frame 1 --frames 1-2 | --frame is for one, --frames for several
-            --frames 1-2 --shutter 2 | render shutter must be a number from 0 to 1, but is 2.0
+            --frames 1-2 --shutter 2 | render shutter must be a number from 0 to 1, but is 2
             --frames 1-2 --fps 60 -o a.gif | gif shows 50 pictures a second at most, not 60
-            --frames 1-2 --fps 0 -o a.gif | render fps must be a finite number above 0, but is 0.0
+            --frames 1-2 --fps 0 -o a.gif | render fps must be a finite number above 0, but is 0
             --frames 1-2 -o a.gif --aov depth | are for pictures, and gif is a film
             --frames 1-2 -o a{frame}/p.png | {frame} can stand in the name of a picture, not in that of a folder
             --frames 1-2 --shutter 0.5 --mistake full-fovy -o a.png | while the shutter is open

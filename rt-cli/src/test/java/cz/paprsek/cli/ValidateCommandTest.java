@@ -64,6 +64,8 @@ class ValidateCommandTest {
                 Arguments.of(LIGHT + "<sphere radius='1'><material color='1 0.5 0'/></sphere>",
                         "material of sphere #1: the color 1 0.5 0 is next to black; colours go up to 255"),
                 Arguments.of(LIGHT + "<ambient color='40 40 40'/>" + glass("sphere", "radius='1'", 1.5), "material of sphere #1 is clear, but ambient light makes it milky"),
+                Arguments.of(LIGHT + "<isosurface name='i' expression='x^2 + y^2 + z^2 &lt; 1'/>", "isosurface \"i\" is nowhere: its formula is not below 0"),
+                Arguments.of(LIGHT + "<union><isosurface expression='sqrt(x - 3)'/></union>", "isosurface #1 in union #1 is nowhere"),
                 Arguments.of("<point-light position='2 3 4' color='1 1 1'/><sphere radius='1'/>", "light #1: the color 1 1 1 is next to black"),
                 Arguments.of("<sphere radius=\"1\"/>", "there is no light and no ambient light"),
                 Arguments.of("<point-light position=\"0 0 0\" intensity=\"0\"/><disc radius=\"1\"/>", "there is no light"),

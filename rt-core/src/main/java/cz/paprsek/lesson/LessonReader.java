@@ -14,6 +14,7 @@ import cz.paprsek.query.Filter;
 import cz.paprsek.query.FilterException;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.text.Numbers;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.ByteArrayInputStream;
@@ -24,6 +25,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Makes a lesson of its file's elements. Other files that it needs are in the same folder or below, and nowhere else. */
@@ -152,10 +154,10 @@ final class LessonReader {
         for (Tag wrong : tag.all("wrong")) {
             List<Double> numbers = wrong.numbers("answer");
             if (numbers.size() != right.size()) {
-                throw wrong.wrong("<wrong> answer has " + numbers.size() + " numbers, but the right one " + right.size());
+                throw wrong.wrong("<wrong> answer has " + numbers.size() + (numbers.size() == 1 ? " number" : " numbers") + ", but the right one " + right.size());
             }
             if (question.isNear(numbers, right)) {
-                throw wrong.wrong("<wrong> answer is right: it is within the tolerance of " + right);
+                throw wrong.wrong("<wrong> answer is right: it is within the tolerance of " + right.stream().map(Numbers::text).collect(Collectors.joining(" ")));
             }
         }
     }

@@ -7,6 +7,7 @@ import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Share.ByPattern;
 import cz.paprsek.material.Share.Even;
 import cz.paprsek.math.Require;
+import cz.paprsek.text.Numbers;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -205,7 +206,7 @@ public record Material(
             Pattern pattern) implements Relief {
         /** @throws IllegalArgumentException if the pattern has one colour only, or the strength is out of all proportion */
         public Bump {
-            Require.that(Math.abs(strength) <= Require.LARGEST, "bump strength must be a finite number, at most " + Require.LARGEST + ", but is " + strength);
+            Require.that(Math.abs(strength) <= Require.LARGEST, "bump strength must be a finite number, at most " + Numbers.text(Require.LARGEST) + ", but is " + Numbers.text(strength));
             varied(pattern);
         }
     }
@@ -226,7 +227,7 @@ public record Material(
             Pattern.Lay lay) implements Relief {
         public NormalMap {
             Require.that(!file.isBlank(), "normal-map file must not be blank");
-            Require.that(Math.abs(strength) <= Require.LARGEST, "normal-map strength must be a finite number, at most " + Require.LARGEST + ", but is " + strength);
+            Require.that(Math.abs(strength) <= Require.LARGEST, "normal-map strength must be a finite number, at most " + Numbers.text(Require.LARGEST) + ", but is " + Numbers.text(strength));
             Objects.requireNonNull(filter, "filter");
             Objects.requireNonNull(mapping, "mapping");
             Objects.requireNonNull(lay, "lay");

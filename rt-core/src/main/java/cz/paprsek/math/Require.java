@@ -48,7 +48,7 @@ public final class Require {
     /** @throws IllegalArgumentException unless all three are factors: other than 0, and sizes but for their sign */
     public static Vec3 scale(Vec3 value) {
         if (value.x() == 0 || value.y() == 0 || value.z() == 0) {
-            throw new IllegalArgumentException("scale must not be 0 along any axis, but is " + value.x() + " " + value.y() + " " + value.z());
+            throw new IllegalArgumentException("scale must not be 0 along any axis, but is " + plain(value.x()) + " " + plain(value.y()) + " " + plain(value.z()));
         }
         size("scale along x", Math.abs(value.x()));
         size("scale along y", Math.abs(value.y()));
@@ -79,7 +79,7 @@ public final class Require {
     public static double within(String what, double value, double low, double high) {
         // Not NaN either. The sentence is put together only when it is needed: this runs for every number of a million objects.
         if (!(value >= low && value <= high)) {
-            throw refused(what, "a number from " + plain(low) + " to " + plain(high), Double.toString(value));
+            throw refused(what, "a number from " + plain(low) + " to " + plain(high), plain(value));
         }
         return value;
     }
@@ -101,7 +101,7 @@ public final class Require {
 
     private static double check(boolean condition, String what, String expected, double found) {
         if (!condition) {
-            throw refused(what, expected, Double.toString(found));
+            throw refused(what, expected, plain(found));
         }
         return found;
     }
@@ -110,7 +110,7 @@ public final class Require {
         return new IllegalArgumentException(what + " must be " + expected + ", but is " + found);
     }
 
-    /** A bound as a reader would write it: 180 rather than 180.0. */
+    /** A number as a reader would write it: 180 rather than 180.0. */
     private static String plain(double value) {
         return value == Math.rint(value) && Math.abs(value) < 1e9 ? Long.toString((long) value) : Double.toString(value);
     }

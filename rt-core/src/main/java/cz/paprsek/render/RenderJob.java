@@ -312,8 +312,8 @@ final class RenderJob implements Workers.Work {
     }
 
     private void render(Tile tile, Integrator integrator) {
-        int x = tile.x();
-        int y = tile.y();
+        int x = NOWHERE;
+        int y = NOWHERE;
         long raysBefore = integrator.rays();
         try {
             if (passes == 0 && store.load(inPicture(tile), passes, film)) {
@@ -334,6 +334,8 @@ final class RenderJob implements Workers.Work {
                     }
                 }
             }
+            // What is thrown from here on is of no pixel.
+            y = NOWHERE;
             long rays = integrator.rays() - raysBefore;
             monitor.traced(rays);
             if (passes == 0 || rays > 0) {

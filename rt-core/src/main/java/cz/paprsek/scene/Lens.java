@@ -5,6 +5,7 @@ import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Angles;
 import cz.paprsek.math.Require;
+import cz.paprsek.text.Numbers;
 
 /** How a camera brings the world onto its picture. Scene files say which by {@code projection}, in lower case. */
 public sealed interface Lens permits Lens.Perspective, Lens.Orthographic, Lens.Spherical, Lens.Fisheye {
@@ -33,7 +34,7 @@ public sealed interface Lens permits Lens.Perspective, Lens.Orthographic, Lens.S
         public static final Perspective DEFAULT = new Perspective(45, 0, 0);
 
         public Perspective {
-            Require.that(fovy > 0 && fovy < 180, "camera fovy must be above 0 and below 180 degrees, but is " + fovy);
+            Require.that(fovy > 0 && fovy < 180, "camera fovy must be above 0 and below 180 degrees, but is " + Numbers.text(fovy));
             Require.sizeOrZero("camera aperture", aperture);
             Require.sizeOrZero("camera focus", focus);
         }
@@ -94,7 +95,7 @@ public sealed interface Lens permits Lens.Perspective, Lens.Orthographic, Lens.S
         public static final Fisheye DEFAULT = new Fisheye(180);
 
         public Fisheye {
-            Require.that(angle > 0 && angle <= 360, "camera angle must be above 0 and at most 360 degrees, but is " + angle);
+            Require.that(angle > 0 && angle <= 360, "camera angle must be above 0 and at most 360 degrees, but is " + Numbers.text(angle));
         }
 
         @Override

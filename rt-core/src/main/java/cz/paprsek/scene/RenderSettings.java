@@ -5,6 +5,7 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Require;
+import cz.paprsek.text.Numbers;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
@@ -69,7 +70,7 @@ public record RenderSettings(
         Require.that(mostSamples == 0 || mostSamples >= samples,
                 "render samples must go from the lesser to the greater number, but go from " + samples + " to " + mostSamples);
         Require.positive("render error", error);
-        Require.that(confidence > 0 && confidence < 1, "render confidence must be a number above 0 and below 1, but is " + confidence);
+        Require.that(confidence > 0 && confidence < 1, "render confidence must be a number above 0 and below 1, but is " + Numbers.text(confidence));
         Objects.requireNonNull(filter, "filter");
         Require.within("render exposure", exposure, -MOST_STOPS, MOST_STOPS);
         Objects.requireNonNull(tone, "tone");

@@ -49,6 +49,14 @@ public record Isosurface(
         return new Field("isosurface expression", expression);
     }
 
+    /** Whether the formula is nowhere below 0 in the box, as far as bounds of its values tell. */
+    public boolean isEmpty() {
+        Field field = field(expression);
+        double[] room = field.newRoom();
+        // Bounds are rounded outwards, also from 0.
+        return !(room[field.within(new double[] {min.x(), min.y(), min.z(), max.x(), max.y(), max.z()}, 0, room)] < -Double.MIN_NORMAL);
+    }
+
     @Override
     public Face face(int number) {
         return Face.ofBox(number);

@@ -12,6 +12,7 @@ import cz.paprsek.shape.outline.Lathed;
 import cz.paprsek.shape.outline.Outline;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Volume;
+import cz.paprsek.text.Numbers;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -35,9 +36,9 @@ public record Lathe(
     public Lathe {
         Objects.requireNonNull(path, "path");
         Objects.requireNonNull(points, "points");
-        Require.that(angle > 0 && angle <= Kind.TURN.most(), "lathe angle must be " + Kind.TURN.words() + ", but is " + angle);
+        Require.that(angle > 0 && angle <= Kind.TURN.most(), "lathe angle must be " + Kind.TURN.words() + ", but is " + Numbers.text(angle));
         Outline outline = Outline.of("lathe", path, points);
-        Require.that(outline.minX() >= 0, "lathe " + (path.isBlank() ? "points" : "path") + " must not reach beyond the axis, x = 0, but its least x is " + outline.minX());
+        Require.that(outline.minX() >= 0, "lathe " + (path.isBlank() ? "points" : "path") + " must not reach beyond the axis, x = 0, but its least x is " + Numbers.text(outline.minX()));
     }
 
     private Outline outline() {

@@ -14,6 +14,7 @@ import cz.paprsek.shape.outline.Drawn;
 import cz.paprsek.shape.placed.Bulge;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Volume;
+import cz.paprsek.text.Numbers;
 import java.util.List;
 
 /**
@@ -37,7 +38,7 @@ public record Superellipsoid(
     }
 
     private static void roundness(String which, double value) {
-        Require.that(value > 0 && value <= Kind.ROUNDNESS.most(), "superellipsoid " + which + " must be " + Kind.ROUNDNESS.words() + ", but is " + value);
+        Require.that(value > 0 && value <= Kind.ROUNDNESS.most(), "superellipsoid " + which + " must be " + Kind.ROUNDNESS.words() + ", but is " + Numbers.text(value));
     }
 
     @Override

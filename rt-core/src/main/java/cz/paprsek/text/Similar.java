@@ -25,9 +25,14 @@ public final class Similar {
         }
         int most = Math.max(1, name.length() / 3);
         Optional<String> slip = known.stream()
-                .filter(candidate -> Math.abs(candidate.length() - name.length()) <= most && distance(name, candidate) <= most)
+                .filter(candidate -> Math.abs(candidate.length() - name.length()) <= most && distance(name, candidate) <= most && hasMore(name, candidate))
                 .min(Comparator.comparingInt((String candidate) -> distance(name, candidate)).thenComparing(c -> c));
         return slip.or(() -> known.stream().filter(candidate -> List.of(candidate.split("-", -1)).contains(name)).min(Comparator.naturalOrder()));
+    }
+
+    /** Of a name of one letter with another one nothing is left. */
+    private static boolean hasMore(String name, String candidate) {
+        return distance(name, candidate) < Math.max(name.length(), candidate.length()) && !candidate.isBlank();
     }
 
     /** {@code ; did you mean "…"?}, or nothing. */

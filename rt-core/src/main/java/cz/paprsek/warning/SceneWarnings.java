@@ -23,6 +23,7 @@ import cz.paprsek.scene.SphereLight;
 import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Csg.Operation;
+import cz.paprsek.shape.Isosurface;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
@@ -74,6 +75,7 @@ public final class SceneWarnings {
         check.balls();
         check.lenses();
         check.materials(check.nests.bodies().toList());
+        parts.forEach(check::formula);
         List<BodyAt> read = parts.stream().filter(part -> !check.nests.isVast(part) && isThere(part.in(scene).shape())).toList();
         read.forEach(check::operands);
         read.stream().filter(part -> part.depth() == 0).forEach(check::object);
@@ -156,6 +158,12 @@ public final class SceneWarnings {
         int most = scene.settings().mostRays();
         if (open.isPresent() && most < FEWEST_FOR_LENS * FEWEST_FOR_LENS) {
             add("lens-samples", "", ScenePath.camera(open.getAsInt()), "aperture", "a camera's lens has an aperture, but a pixel has " + (most == 1 ? "one ray" : most + " rays") + "; blur will be grain: give <render> samples=\"" + (scene.settings().isPath() ? RenderSettings.USUAL_PATHS : FEWEST_FOR_LENS + 1) + "\" or more");
+        }
+    }
+
+    private void formula(BodyAt part) {
+        if (part.in(scene).shape() instanceof Isosurface surface && surface.isEmpty()) {
+            add("nowhere", label(part), part, "expression", label(part) + " is nowhere: its formula is not below 0 at any point of its box, from min to max");
         }
     }
 

@@ -99,7 +99,7 @@ class LessonFileTest {
         "tolerance=\"0.01\"|tolerance=\"a bit\"|<question> tolerance must be numbers with blanks between, but has \"a\"|true",
         "tolerance=\"0.01\"|tolerance=\"1d\"|<question> tolerance must be numbers with blanks between, but has \"1d\"|true",
         "tolerance=\"0.01\"|tolerance=\"0x1p-3\"|<question> tolerance must be numbers with blanks between, but has \"0x1p-3\"|true",
-        "answer=\"5\"|answer=\"4.004\"|<wrong> answer is right: it is within the tolerance of [4.0]|false",
+        "answer=\"5\"|answer=\"4.004\"|<wrong> answer is right: it is within the tolerance of 4|false",
         "answer=\"5\"|answer=\"5 6\"|<wrong> answer has 2 numbers, but the right one 1|false",
         "condition=\"exists(pixel|condition=\"exists(pixels|<task> condition: character 8: exists wants the name of a table, but found \"pixels\"; did you mean \"pixel\"?|false",
         "`y &lt; 0.02`|`hight &lt; 0.02`|`there is no column \"hight\"`|false",

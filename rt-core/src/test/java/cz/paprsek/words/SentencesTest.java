@@ -105,7 +105,7 @@ class SentencesTest {
     @Test
     void aRecordIsUnderstoodAsWell() {
         IllegalArgumentException refused = catchThrowableOfType(IllegalArgumentException.class, () -> Light.at(0, 0, 0).withIntensity(-1));
-        assertThat(CZECH.sentence(String.valueOf(refused.getMessage()))).isEqualTo("světlo, intenzita: má být konečné číslo, nejméně 0, ale je -1.0");
+        assertThat(CZECH.sentence(String.valueOf(refused.getMessage()))).isEqualTo("světlo, intenzita: má být konečné číslo, nejméně 0, ale je -1");
     }
 
     /** Their lines of derivations are formulas, or sentences with formulas in them. */

@@ -67,7 +67,11 @@ class AnimatedFilesTest {
             <animate target="ball" attribute="radius"><key t="0" value="1"/><key t="0" value="2"/></animate> | 5:70: t of a key must be above that of the key before, which is 0, but is 0
             <animate target="ball" attribute="radius"><key t="0" value="1"/><key t="1" value="2 3"/></animate> | 5:76: value must have as many numbers as that of the key before, 1, but has 2
             <animate target="ball" attribute="position"><key t="0" value="1 2"/></animate> | 5:24: position must be three finite numbers, x y z, but its keys have 2 numbers
-            <animate target="ball" attribute="radius"><key t="0" value="-1"/></animate> | 5:24: sphere radius must be a finite number above 0, but is -1.0
+            <animate target="ball" attribute="radius"><key t="0" value="-1"/></animate> | 5:24: sphere radius must be a finite number above 0, but is -1
+            <animate target="ball" attribute="radius"><key t="0" value="x"/></animate> | 5:54: value must be one to three finite numbers, or a colour, but is "x"
+            <animate target="ball" attribute="hidden"><key t="0" value="true"/></animate> | 5:54: value must be one to three finite numbers, or a colour, but is "true"
+            <param name="h" value="1" max="2"/><animate target="param:h" attribute="value"><key t="0" value="2"/><key t="1" value="2.5"/></animate> | 5:113: the parameter "h" must be a number, 2 at most, but is 2.5
+            <param name="h" value="1" min="1" max="2"/><animate target="param:h" attribute="value"><key t="0" value="0"/></animate> | 5:99: the parameter "h" must be a number from 1 to 2, but is 0
             <animate target="ball" attribute="radius"><key t="0" value="1 2 x"/></animate> | 5:54: value must be one to three finite numbers, or a colour, but is "1 2 x"
             <animate target="ball" attribute="radius"><key value="1"/></animate> | 5:43: <key> needs the attribute t, a finite number
             <animate target="ball" attribute="radius"/> | 5:1: <animate> needs at least one <key> inside

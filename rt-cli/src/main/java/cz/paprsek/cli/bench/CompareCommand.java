@@ -73,7 +73,7 @@ public final class CompareCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        tolerance.ifPresent(steps -> require(steps >= 0, "--tolerance must be 0 or above, but is " + steps));
+        tolerance.ifPresent(steps -> require(steps >= 0, "--tolerance must be 0 or above, but is " + Numbers.text(steps)));
         Optional<StoredImage> a = read(first);
         Optional<StoredImage> b = read(second);
         if (a.isEmpty() || b.isEmpty()) {

@@ -88,7 +88,7 @@ class CompareCommandTest {
         assertThat(text.err()).contains("not a picture of a kind that can be read").hasLineCount(1);
         Run scene = Run.cli("compare", good, Files.writeString(folder.resolve("d.xml"), "<scene xmlns='urn:paprsek:scene:1'/>"));
         assertThat(scene.err()).endsWith("not a picture of a kind that can be read, but looks like a scene; render it, and compare the picture\n").hasLineCount(1);
-        assertThat(Run.cli("compare", good, good, "--tolerance", "-1").err()).contains("--tolerance must be 0 or above, but is -1.0");
+        assertThat(Run.cli("compare", good, good, "--tolerance", "-1").err()).contains("--tolerance must be 0 or above, but is -1");
         assertThat(Run.cli("compare", good, good, "--at-most", "2").err()).contains("expected a share such as 0.001 or 0.1%, but found '2'");
         assertThat(Run.cli("compare", good, good, "--heatmap", good.resolve("map.png")).code()).isEqualTo(1);
     }

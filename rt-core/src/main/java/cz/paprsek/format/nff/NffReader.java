@@ -20,6 +20,7 @@ import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.mesh.Triangles;
+import cz.paprsek.text.Numbers;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
@@ -154,7 +155,7 @@ public final class NffReader {
         width = pixels("the width");
         height = pixels("the height");
         if (!(angle > 0 && angle < 180)) {
-            throw lines.fault("the angle must be above 0 and below 180, but is " + angle);
+            throw lines.fault("the angle must be above 0 and below 180, but is " + Numbers.text(angle));
         }
         double half = Angles.tan(angle / 2) * (height > 1 ? (double) height / (height - 1) : 1);
         camera = Optional.of(new Camera(from, new Camera.Target(at), up, 2 * StrictMath.toDegrees(StrictMath.atan(half))));

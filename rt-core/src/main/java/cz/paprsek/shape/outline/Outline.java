@@ -5,6 +5,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Line;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -128,7 +129,13 @@ public final class Outline {
 
     /** Whether it can enclose anything. */
     public boolean isArea() {
-        return pieces.length > 1 && maxX > minX && maxY > minY;
+        return pieces.length > 1 && maxX > minX && maxY > minY && !contours.stream().allMatch(Outline::isFlat);
+    }
+
+    /** Whether it only goes to and fro along a line. */
+    private static boolean isFlat(List<Piece> contour) {
+        Piece longest = contour.stream().max(Comparator.comparingDouble(piece -> Math.abs(piece.x1 - piece.x0) + Math.abs(piece.y1 - piece.y0))).orElseThrow();
+        return contour.stream().allMatch(piece -> piece instanceof Straight && (longest.x1 - longest.x0) * (piece.y1 - piece.y0) == (longest.y1 - longest.y0) * (piece.x1 - piece.x0));
     }
 
     /** How many pieces it has. */

@@ -67,18 +67,26 @@ public final class ColorWords {
      * @throws IllegalArgumentException if it is none of these
      */
     public static Rgb of(String word) {
-        String digits = word.startsWith("#") ? word.substring(1) : HEXADECIMAL.getOrDefault(word.toLowerCase(Locale.ROOT), "");
-        if (!digits.matches("[0-9a-fA-F]{3}|[0-9a-fA-F]{6}")) {
+        String digits = digits(word);
+        if (!isColor(digits)) {
             throw new IllegalArgumentException("\"" + word + "\" is no colour");
         }
         int length = digits.length() / 3;
         return new Rgb(channel(digits, 0, length), channel(digits, length, length), channel(digits, 2 * length, length));
     }
 
-    /** A text that may be such a colour as three numbers then; else as it is. */
+    private static String digits(String word) {
+        return word.startsWith("#") ? word.substring(1) : HEXADECIMAL.getOrDefault(word.toLowerCase(Locale.ROOT), "");
+    }
+
+    private static boolean isColor(String digits) {
+        return digits.matches("[0-9a-fA-F]{3}|[0-9a-fA-F]{6}");
+    }
+
+    /** A text that is such a colour as three numbers then; else as it is. */
     public static String asNumbers(String text) {
         String word = text.strip();
-        if (!isWord(word)) {
+        if (!isWord(word) || !isColor(digits(word))) {
             return text;
         }
         Rgb color = of(word);

@@ -67,7 +67,8 @@ public final class Complaints {
             }
             case "cvc-complex-type.2.4.b" -> {
                 if (!isToldInside) {
-                    problems.add(line, column, "<" + element + "> needs at least one " + (element.equals(ANIMATION) ? "<key>" : "solid") + " inside");
+                    problems.add(line, column, element.equals(ANIMATION) || OPERATIONS.contains(element)
+                            ? "<" + element + "> needs at least one " + (element.equals(ANIMATION) ? "<key>" : "solid") + " inside" : "<" + element + "> needs a pattern inside");
                 }
             }
             case "cvc-complex-type.3.2.2", "cvc-type.3.1.1" -> unknownAttributes(element, type, found, line, column);

@@ -159,18 +159,33 @@ public final class Script {
         only = scene;
         names = found.names();
         defined.addAll(found.definitions().keySet());
-        scene.children().forEach(child -> checkAnimated(child, found.names().params().keySet()));
+        scene.children().forEach(child -> checkAnimated(child, found.names().params().keySet(), parameters));
         new Expansion(scene, out, found.names(), found.definitions(), found.materials(), mistakes, mostCharacters).scene(scene, isRoot);
         recipes.add(scene.isPlain() ? Recipe.NONE : new Recipe(NodeText.of(scene), found.included(), parameters));
     }
 
-    private void checkAnimated(Node child, Set<String> params) {
+    private void checkAnimated(Node child, Set<String> params, List<Parameter> ranges) {
         if (child.isOfParameter()) {
             String name = child.attribute("target").orElseThrow().text().substring(Animation.PARAMETER.length());
             if (!params.contains(name)) {
                 mistakes.add(child, "target", "there is no parameter \"" + name + "\"" + Similar.suggestion(name, params));
             }
+            ranges.stream().filter(one -> one.name().equals(name)).forEach(one -> child.children().forEach(key -> checkKey(key, one)));
         }
+    }
+
+    private void checkKey(Node key, Parameter animated) {
+        String value = key.attribute("value").map(Attr::text).orElse("").strip();
+        double number = Numbers.parsed(value).orElse(Double.NaN);
+        if (number < animated.least().orElse(number) || number > animated.most().orElse(number)) {
+            mistakes.add(key, "value", outside(animated.name(), animated.least(), animated.most(), value));
+        }
+    }
+
+    private static String outside(String name, OptionalDouble least, OptionalDouble most, String value) {
+        String range = least.isPresent() && most.isPresent() ? " from " + Numbers.text(least.getAsDouble()) + " to " + Numbers.text(most.getAsDouble())
+                : least.isPresent() ? ", " + Numbers.text(least.getAsDouble()) + " or above" : most.isPresent() ? ", " + Numbers.text(most.getAsDouble()) + " at most" : "";
+        return "the parameter \"" + name + "\" must be a number" + range + ", but is " + (value.isEmpty() ? "empty" : value);
     }
 
     private Optional<Parameter> parameter(String name, Param param, Names names) {
@@ -182,9 +197,7 @@ public final class Script {
             boolean isWithin = param.number().isEmpty() || (param.number().getAsDouble() >= least.orElse(-Double.MAX_VALUE) && param.number().getAsDouble() <= most.orElse(Double.MAX_VALUE));
             boolean isNumber = param.number().isPresent() || (least.isEmpty() && most.isEmpty() && step.isEmpty());
             if (!isWithin || !isNumber) {
-                String range = least.isPresent() && most.isPresent() ? " from " + Numbers.text(least.getAsDouble()) + " to " + Numbers.text(most.getAsDouble())
-                        : least.isPresent() ? ", " + Numbers.text(least.getAsDouble()) + " or above" : most.isPresent() ? ", " + Numbers.text(most.getAsDouble()) + " at most" : "";
-                mistakes.add(param.node(), "value", "the parameter \"" + name + "\" must be a number" + range + ", but is " + (param.text().isEmpty() ? "empty" : param.text()));
+                mistakes.add(param.node(), "value", outside(name, least, most, param.text()));
                 return Optional.empty();
             }
             return Optional.of(new Parameter(name, param.node().attribute("value").map(Attr::text).orElse(""), param.text(), least, most, step));

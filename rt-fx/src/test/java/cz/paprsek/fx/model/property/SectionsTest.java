@@ -157,7 +157,7 @@ class SectionsTest {
     @Test
     void refusalIsTheRecordsOwn() {
         assertThatThrownBy(() -> property("radius", Set.of(ScenePath.body(0))).write(scene, -1.0))
-                .isInstanceOf(IllegalArgumentException.class).hasMessage("sphere radius must be a finite number above 0, but is -1.0");
+                .isInstanceOf(IllegalArgumentException.class).hasMessage("sphere radius must be a finite number above 0, but is -1");
         assertThatThrownBy(() -> property("samples", Set.of()).write(scene, 99)).hasMessageContaining("from 1 to 16");
     }
 

@@ -102,7 +102,7 @@ class PropertySheetTest {
     void refusedValueTellsTheRecordsOwnSentenceAndChangesNothing() {
         type("#shape-radius", "-2");
         assertThat(model.scene()).isSameAs(START);
-        assertThat(((Label) gui.node(".refusal")).getText()).isEqualTo("sphere radius must be a finite number above 0, but is -2.0");
+        assertThat(((Label) gui.node(".refusal")).getText()).isEqualTo("sphere radius must be a finite number above 0, but is -2");
         gui.keys(KeyCode.ESCAPE);
         assertThat(shown("#shape-radius")).isEqualTo("0.5");
         gui.until("nothing is refused any more", () -> gui.stage().getScene().getRoot().lookupAll(".refusal").stream().noneMatch(Node::isVisible));
@@ -239,7 +239,7 @@ class PropertySheetTest {
         assertThat(((Pattern.Plain) material().pattern()).color()).as("only what is another number").isEqualTo(new Rgb(0, 100.256, 0));
         gui.act(model::undo);
         type("#pattern-color-green", "300");
-        assertThat(((Label) gui.node(".refusal")).getText()).isEqualTo("green must be a number from 0 to 255, but is 300.0");
+        assertThat(((Label) gui.node(".refusal")).getText()).isEqualTo("green must be a number from 0 to 255, but is 300");
     }
 
     @Test
@@ -342,7 +342,7 @@ class PropertySheetTest {
         choose("#aim", Camera.Target.class);
         assertThat(model.scene().camera().aim()).isEqualTo(new Camera.Target(new Vec3(0, 1, 0)));
         type("#lens-fovy", "190");
-        assertThat(((Label) gui.node(".refusal")).getText()).isEqualTo("camera fovy must be above 0 and below 180 degrees, but is 190.0");
+        assertThat(((Label) gui.node(".refusal")).getText()).isEqualTo("camera fovy must be above 0 and below 180 degrees, but is 190");
     }
 
     /** What a key that is held down does again and again; a robot's key does not. */
