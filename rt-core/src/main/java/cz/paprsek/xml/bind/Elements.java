@@ -62,7 +62,7 @@ final class Elements extends DefaultHandler2 implements Locator {
     private int nextColumn;
     /** Whether the text at hand has been told to be out of place: the parser hands it over in pieces. */
     private boolean isTextTold;
-    /** Characters of text since the last tag. */
+    /** Characters since the last tag, of a description or of text out of place. */
     private int textLength;
     /** Whether the root has been closed. */
     private boolean isOver;
@@ -161,11 +161,15 @@ final class Elements extends DefaultHandler2 implements Locator {
         complainOfText(text, start, start + length);
         if (isText()) {
             next.characters(text, start, length);
+        }
+        if (isText() || isTextTold) {
             textLength += length;
         }
         if (textLength > LONGEST_TEXT) {
-            problems.add(lines[path.size()], columns[path.size()], "a description must not be longer than " + SceneFormat.LONGEST_DESCRIPTION
-                    + " characters, but this has more than " + LONGEST_TEXT);
+            if (isText()) {
+                problems.add(lines[path.size()], columns[path.size()], "a description must not be longer than " + SceneFormat.LONGEST_DESCRIPTION
+                        + " characters, but this has more than " + LONGEST_TEXT);
+            }
             throw new Problems.Stop();
         }
         advance();
