@@ -329,6 +329,7 @@ final class Editor implements Notices {
         }
         MainWindow fresh = new MainWindow(this);
         window = fresh;
+        theme.get().mark(fresh.root());
         stage.getScene().setRoot(fresh.root());
         theme.get().applyTo(stage.getScene());
         library.fill();

@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.fx.view.command.Command;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.find.HelpPane;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.look.MenuLook;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.shell.AddPalette;
@@ -31,7 +32,6 @@ import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.ToggleGroup;
 import javafx.scene.control.ToolBar;
-import javafx.scene.control.Tooltip;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
@@ -227,7 +227,7 @@ final class Menus {
     private ToggleButton snapButton() {
         ToggleButton button = new ToggleButton("", new FontIcon(MaterialDesignM.MAGNET));
         button.setId("snap-button");
-        button.setTooltip(new Tooltip(texts.of("edit-menu.snap")));
+        Hint.of(button).set(texts.of("edit-menu.snap"));
         button.setAccessibleText(texts.of("edit-menu.snap"));
         button.setFocusTraversable(false);
         button.selectedProperty().bindBidirectional(editor.snapping());

@@ -15,6 +15,7 @@ import cz.paprsek.fx.view.command.Pipette;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.explain.ExplainMode;
 import cz.paprsek.fx.view.explain.ExplainPane;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.motion.OnionSkin;
 import cz.paprsek.fx.view.motion.TimelinePane;
@@ -50,7 +51,6 @@ import javafx.scene.control.Button;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.ToggleButton;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
@@ -179,7 +179,7 @@ final class Views {
         ToggleButton button = new ToggleButton(texts.of("explain.mode"), new FontIcon(MaterialDesignC.CHART_TIMELINE_VARIANT));
         button.setId("camera-explain");
         button.getStyleClass().add("view-button");
-        button.setTooltip(new Tooltip(texts.of("explain.hint")));
+        Hint.of(button).set(texts.of("explain.hint"));
         button.setFocusTraversable(false);
         button.selectedProperty().bindBidirectional(explaining.onProperty());
         return button;
@@ -190,7 +190,7 @@ final class Views {
         button.setId("free-looks");
         button.getStyleClass().add("view-button");
         button.setFocusTraversable(false);
-        button.setTooltip(new Tooltip(texts.of("free.menu")));
+        Hint.of(button).set(texts.of("free.menu"));
         button.setAccessibleText(texts.of("free.menu"));
         List<MenuItem> items = freeCommands.items();
         items.forEach(item -> item.setId("title-" + item.getId()));
@@ -238,7 +238,7 @@ final class Views {
     private Button presentButton(Texts texts) {
         Button button = new Button(texts.of("explain.present"));
         button.setId("explain-present");
-        button.setTooltip(new Tooltip(texts.of("explain.present-hint")));
+        Hint.of(button).set(texts.of("explain.present-hint"));
         button.setMinWidth(Region.USE_PREF_SIZE);
         button.setOnAction(event -> present());
         return button;

@@ -84,7 +84,7 @@ class LanguageTest {
     }
 
     private static String tooltip(Stage window, String id) {
-        return Gui.on(() -> ((ButtonBase) window.getScene().lookup("#" + id)).getTooltip().getText());
+        return Gui.on(() -> ((ButtonBase) window.getScene().lookup("#" + id)).getAccessibleHelp());
     }
 
     /** Pictures of the main states, in target/screenshots, to be looked at by people; the light ones of this size are those of the manual. */
@@ -173,7 +173,8 @@ class LanguageTest {
 
     private static boolean isCut(Labeled labeled) {
         String text = labeled.isMnemonicParsing() ? labeled.getText().replaceFirst("_", "") : labeled.getText();
-        boolean hasHint = labeled.getTooltip() != null && labeled.getTooltip().getText().contains(text);
+        String hint = labeled.getTooltip() == null ? labeled.getAccessibleHelp() : labeled.getTooltip().getText();
+        boolean hasHint = hint != null && hint.contains(text);
         return labeled.getContentDisplay() != ContentDisplay.GRAPHIC_ONLY && !hasHint
                 && labeled.getChildrenUnmodifiable().stream().filter(shown -> shown.getStyleClass().contains("text")).anyMatch(shown -> !bare(((Text) shown).getText()).equals(bare(text)));
     }

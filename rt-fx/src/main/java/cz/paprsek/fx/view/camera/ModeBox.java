@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.camera;
 
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.Texts;
 import java.util.EnumMap;
 import java.util.Locale;
@@ -7,7 +8,6 @@ import java.util.Map;
 import javafx.beans.property.ObjectProperty;
 import javafx.geometry.Insets;
 import javafx.scene.control.ToggleButton;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
@@ -31,7 +31,7 @@ final class ModeBox extends VBox {
             String name = value.name().toLowerCase(Locale.ROOT);
             ToggleButton button = new ToggleButton("", new FontIcon(ICONS.getOrDefault(value, MaterialDesignA.ARROW_ALL)));
             button.setId("handles-" + name);
-            button.setTooltip(new Tooltip(texts.of("handles." + name)));
+            Hint.of(button).set(texts.of("handles." + name));
             button.setAccessibleText(texts.of("handles." + name));
             button.setFocusTraversable(false);
             button.setSelected(value == mode.get());

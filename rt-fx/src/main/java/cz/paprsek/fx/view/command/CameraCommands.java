@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.command;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.ScenePath;
@@ -16,7 +17,6 @@ import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.RadioMenuItem;
 import javafx.scene.control.SeparatorMenuItem;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.Region;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
@@ -71,7 +71,7 @@ public final class CameraCommands {
         button.setMnemonicParsing(false);
         button.setMaxWidth(LONGEST_NAME);
         button.setMinWidth(Region.USE_COMPUTED_SIZE);
-        button.setTooltip(new Tooltip(texts.of("view.camera-chooser")));
+        Hint.of(button).set(texts.of("view.camera-chooser"));
         button.setAccessibleText(texts.of("view.camera-chooser"));
         button.textProperty().bind(Bindings.createStringBinding(() -> name(model.state().eye()), model.stateProperty()));
         // Keys belong to the menu: here they would take its place.

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.command;
 
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.Shortcut;
 import cz.paprsek.fx.view.texts.Texts;
 import java.util.Optional;
@@ -8,7 +9,6 @@ import javafx.beans.value.ObservableBooleanValue;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.control.Button;
 import javafx.scene.control.MenuItem;
-import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCombination;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
@@ -62,10 +62,8 @@ public record Command(String key, ObservableValue<String> text, Optional<KeyComb
         Button button = new Button();
         button.setId(key.replace('.', '-') + "-button");
         icon.ifPresent(code -> button.setGraphic(new FontIcon(code)));
-        Tooltip tooltip = new Tooltip();
-        tooltip.textProperty().bind(Bindings.createStringBinding(
+        Hint.of(button).bind(Bindings.createStringBinding(
                 () -> text.getValue() + keys.map(k -> " (" + k.getDisplayText() + ")").orElse(""), text));
-        button.setTooltip(tooltip);
         button.accessibleTextProperty().bind(text);
         button.disableProperty().bind(disabled);
         button.setFocusTraversable(false);

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.lesson;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.view.library.Worker;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.lesson.Lesson;
 import cz.paprsek.lesson.Lesson.Formula;
@@ -26,7 +27,6 @@ import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -106,7 +106,7 @@ public final class LessonPane extends BorderPane {
     private Button button(String key, String sign, Runnable action, boolean isEnabled) {
         Button button = new Button(sign);
         button.setId(key.replace('.', '-'));
-        button.setTooltip(new Tooltip(texts.of(key)));
+        Hint.of(button).set(texts.of(key));
         button.setAccessibleText(texts.of(key));
         button.setDisable(!isEnabled);
         button.setOnAction(event -> action.run());

@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.library.Library;
 import cz.paprsek.fx.model.library.LibraryRows;
 import cz.paprsek.fx.model.library.LibraryStore;
 import cz.paprsek.fx.view.command.UndoKeys;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.Failures;
@@ -33,7 +34,6 @@ import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
 import javafx.scene.control.ToolBar;
-import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.BorderPane;
@@ -116,13 +116,13 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
 
     private ToolBar toolBar() {
         Button keep = LibraryActions.button(texts, "library.add", actions::keep);
-        keep.setTooltip(new Tooltip(texts.of("library.add-hint")));
+        Hint.of(keep).set(texts.of("library.add-hint"));
         keep.disableProperty().bind(noFile());
         Button undo = step("library.undo", "edit-menu.undo-what", library.undoableProperty(), actions::undo);
         Button redo = step("library.redo", "edit-menu.redo-what", library.redoableProperty(), actions::redo);
         search.setId("library-filter");
         search.setPromptText(texts.of("library.filter"));
-        search.setTooltip(new Tooltip(texts.of("library.filter-hint")));
+        Hint.of(search).set(texts.of("library.filter-hint"));
         HBox.setHgrow(search, Priority.ALWAYS);
         problem.setId("library-problem");
         problem.setWrapText(true);
@@ -140,9 +140,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
     private Button step(String key, String what, ReadOnlyObjectProperty<Optional<cz.paprsek.fx.model.Label>> step, Runnable action) {
         Button button = LibraryActions.button(texts, key, action);
         button.disableProperty().bind(Bindings.createBooleanBinding(() -> step.get().isEmpty(), step));
-        Tooltip tooltip = new Tooltip();
-        tooltip.textProperty().bind(Bindings.createStringBinding(() -> step.get().map(label -> texts.of(what, texts.edit(label))).orElse(""), step));
-        button.setTooltip(tooltip);
+        Hint.of(button).bind(Bindings.createStringBinding(() -> step.get().map(label -> texts.of(what, texts.edit(label))).orElse(""), step));
         return button;
     }
 

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.library;
 
 import cz.paprsek.fx.model.library.Library;
 import cz.paprsek.fx.model.library.LibraryRows;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
 import cz.paprsek.query.Column;
@@ -25,7 +26,6 @@ import javafx.scene.control.TableCell;
 import javafx.scene.control.TableColumn;
 import javafx.scene.control.TableRow;
 import javafx.scene.control.TableView;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.text.Text;
 import org.jspecify.annotations.Nullable;
@@ -138,7 +138,7 @@ final class TablePane extends BorderPane implements AutoCloseable {
         TableColumn<R, Value> made = new TableColumn<>();
         made.setId(column.name());
         Label title = new Label(words.column(column.name()));
-        title.setTooltip(new Tooltip(texts.of("library.in-filter", column.name())));
+        Hint.of(title).set(texts.of("library.in-filter", column.name()));
         made.setGraphic(title);
         // For who reads the screen aloud; what is seen is the graphic, which has the hint.
         made.setText(title.getText());

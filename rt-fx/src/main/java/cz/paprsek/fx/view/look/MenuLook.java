@@ -1,5 +1,7 @@
 package cz.paprsek.fx.view.look;
 
+import java.util.ArrayList;
+import java.util.List;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.scene.control.ContextMenu;
@@ -20,9 +22,13 @@ public final class MenuLook {
             return;
         }
         Scene scene = popup.getScene();
-        scene.getStylesheets().setAll(bar.getScene().getStylesheets());
+        List<String> sheets = new ArrayList<>(bar.getScene().getStylesheets());
         for (Parent node = bar; node != null; node = node.getParent()) {
-            scene.getStylesheets().addAll(node.getStylesheets());
+            sheets.addAll(node.getStylesheets());
+        }
+        // All would be styled anew.
+        if (!scene.getStylesheets().equals(sheets)) {
+            scene.getStylesheets().setAll(sheets);
         }
         scene.getRoot().applyCss();
     }

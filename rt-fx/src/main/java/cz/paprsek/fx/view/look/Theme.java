@@ -5,6 +5,7 @@ import atlantafx.base.theme.PrimerLight;
 import javafx.application.Application;
 import javafx.application.ConditionalFeature;
 import javafx.application.Platform;
+import javafx.scene.Parent;
 import javafx.scene.Scene;
 
 /** How the window looks. */
@@ -33,17 +34,25 @@ public enum Theme {
 
     /** @param isTransparent whether a window can be seen through, as the shadow about a menu is */
     void applyTo(Scene scene, boolean isTransparent) {
-        Application.setUserAgentStylesheet(stylesheet);
-        scene.getStylesheets().remove(OPAQUE);
-        if (!isTransparent) {
+        if (!stylesheet.equals(Application.getUserAgentStylesheet())) {
+            Application.setUserAgentStylesheet(stylesheet);
+        }
+        if (isTransparent) {
+            scene.getStylesheets().remove(OPAQUE);
+        } else if (!scene.getStylesheets().contains(OPAQUE)) {
             scene.getStylesheets().add(OPAQUE);
         }
-        for (Theme theme : values()) {
-            scene.getRoot().getStyleClass().remove(theme.styleClass());
-        }
-        scene.getRoot().getStyleClass().add(styleClass());
+        mark(scene.getRoot());
         // What a window shows before it is painted first.
         scene.setFill(palette().background());
+    }
+
+    /** Has a root bear the theme's name as a style class; best before a window shows it, which then looks for styles once. */
+    public void mark(Parent root) {
+        if (!root.getStyleClass().contains(styleClass())) {
+            root.getStyleClass().removeAll(LIGHT.styleClass(), DARK.styleClass());
+            root.getStyleClass().add(styleClass());
+        }
     }
 
     private String styleClass() {

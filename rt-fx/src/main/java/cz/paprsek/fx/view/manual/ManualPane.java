@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.manual;
 
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.Texts;
 import java.util.ArrayDeque;
 import java.util.Arrays;
@@ -18,7 +19,6 @@ import javafx.scene.control.ListView;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.SplitPane;
 import javafx.scene.control.TextField;
-import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.BorderPane;
@@ -53,7 +53,7 @@ public final class ManualPane extends BorderPane {
         search.textProperty().addListener((property, old, now) -> filter());
         search.setOnAction(event -> next());
         back.setId("manual-back");
-        back.setTooltip(new Tooltip(texts.of("manual.back")));
+        Hint.of(back).set(texts.of("manual.back"));
         back.setAccessibleText(texts.of("manual.back"));
         back.setOnAction(event -> back());
         back.setDisable(true);

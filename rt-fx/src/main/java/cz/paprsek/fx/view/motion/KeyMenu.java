@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.model.motion.Keys;
 import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.MaterialName;
@@ -24,7 +25,6 @@ import java.util.Set;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
-import javafx.scene.control.Tooltip;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
 
@@ -46,7 +46,7 @@ final class KeyMenu {
         MenuButton button = new MenuButton(texts.of("timeline.add"), new FontIcon(MaterialDesignP.PLUS));
         button.setId("timeline-add");
         button.getStyleClass().add("view-button");
-        button.setTooltip(new Tooltip(texts.of("timeline.add-hint")));
+        Hint.of(button).set(texts.of("timeline.add-hint"));
         button.setFocusTraversable(false);
         button.getItems().add(new MenuItem());
         button.setOnShowing(event -> button.getItems().setAll(items()));

@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.model.motion.Keys;
 import cz.paprsek.fx.model.motion.Keys.KeyAt;
 import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Animation;
@@ -25,7 +26,6 @@ import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.TextField;
-import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.FlowPane;
@@ -97,7 +97,7 @@ public final class TimelinePane extends VBox {
                 throw new UnsupportedOperationException("not editable");
             }
         });
-        ease.setTooltip(new Tooltip(texts.of("timeline.ease")));
+        Hint.of(ease).set(texts.of("timeline.ease"));
         ease.setAccessibleText(texts.of("timeline.ease"));
         ease.setOnAction(event -> {
             if (!shows && ease.getValue() != null) {
@@ -113,8 +113,7 @@ public final class TimelinePane extends VBox {
         FlowPane head = new FlowPane(10, 2, time, row(add), keyRow, refusal);
         refusal.setId("timeline-refusal");
         refusal.maxWidthProperty().bind(head.widthProperty());
-        refusal.setTooltip(new Tooltip());
-        refusal.getTooltip().textProperty().bind(refusal.textProperty());
+        Hint.of(refusal).bind(refusal.textProperty());
         refusal.visibleProperty().bind(refusal.textProperty().isNotEmpty());
         refusal.managedProperty().bind(refusal.visibleProperty());
         head.setRowValignment(VPos.CENTER);
@@ -318,7 +317,7 @@ public final class TimelinePane extends VBox {
     }
 
     private void describe(TextField field, String key) {
-        field.setTooltip(new Tooltip(texts.of(key)));
+        Hint.of(field).set(texts.of(key));
         field.setAccessibleText(texts.of(key));
     }
 
@@ -366,7 +365,7 @@ public final class TimelinePane extends VBox {
     private Button button(Button button, String id, String key, Runnable action) {
         button.setId(id);
         button.getStyleClass().add("view-button");
-        button.setTooltip(new Tooltip(texts.of(key)));
+        Hint.of(button).set(texts.of(key));
         button.setAccessibleText(texts.of(key));
         button.setFocusTraversable(false);
         button.setOnAction(event -> action.run());

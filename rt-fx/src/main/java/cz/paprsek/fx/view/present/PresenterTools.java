@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.present;
 
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.Texts;
 import java.util.function.IntConsumer;
 import javafx.geometry.Pos;
@@ -7,7 +8,6 @@ import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.Region;
 
@@ -64,7 +64,7 @@ final class PresenterTools extends FlowPane {
     private <T extends ButtonBase> T tool(T button, String key, String keys) {
         button.setText(texts.of(key));
         button.setId(key.replace('.', '-'));
-        button.setTooltip(new Tooltip(keys));
+        Hint.of(button).set(keys);
         button.setFocusTraversable(false);
         button.setMinWidth(Region.USE_PREF_SIZE);
         return button;

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.render;
 
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.render.fields.Named;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
@@ -12,7 +13,6 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import javafx.scene.control.ChoiceBox;
-import javafx.scene.control.Tooltip;
 
 /** Chooses whose picture is rendered, among the cameras of a scene. */
 final class CameraBox extends ChoiceBox<Named<Integer>> {
@@ -25,7 +25,7 @@ final class CameraBox extends ChoiceBox<Named<Integer>> {
         setId("render-camera");
         // As the names of a scene come after the box has been measured.
         setPrefWidth(WIDTH);
-        setTooltip(new Tooltip(texts.of("render.camera.hint")));
+        Hint.of(this).set(texts.of("render.camera.hint"));
     }
 
     /** Offers the cameras there are now, and chooses the one looked through if that or the cameras have changed. */

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.fx.view.picture.PictureView;
 import cz.paprsek.fx.view.texts.Texts;
@@ -18,7 +19,6 @@ import javafx.application.Platform;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import javafx.util.Duration;
 
@@ -50,7 +50,7 @@ final class DifferencePane extends HBox {
         map.setText(texts.of("render.difference.map"));
         map.setId("render-difference");
         map.setMinWidth(USE_PREF_SIZE);
-        map.setTooltip(new Tooltip(texts.of("render.difference.hint")));
+        Hint.of(map).set(texts.of("render.difference.hint"));
         map.selectedProperty().addListener((property, old, now) -> show());
         figures.setId("render-difference-figures");
         figures.setWrapText(true);

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.render.fields.Named;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
@@ -12,7 +13,6 @@ import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javafx.scene.control.ChoiceBox;
-import javafx.scene.control.Tooltip;
 
 /** Chooses which lights are lit: all, or one by itself. */
 final class LightBox extends ChoiceBox<Named<Integer>> {
@@ -26,7 +26,7 @@ final class LightBox extends ChoiceBox<Named<Integer>> {
         setId("render-lights");
         // As the names of a scene come after the box has been measured.
         setPrefWidth(WIDTH);
-        setTooltip(new Tooltip(texts.of("render.lights.hint")));
+        Hint.of(this).set(texts.of("render.lights.hint"));
     }
 
     /** Offers the lights of a scene, all of them lit. */

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.render;
 
 import cz.paprsek.fx.view.dialog.ColorBox;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.render.Mixer.Setting;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
@@ -18,7 +19,6 @@ import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.Slider;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -90,13 +90,13 @@ final class MixPane extends VBox {
             this.word = word;
             shines.setText(name);
             shines.setId("mix-shines-" + number);
-            shines.setTooltip(new Tooltip(texts.of("render.mix.shines.hint")));
+            Hint.of(shines).set(texts.of("render.mix.shines.hint"));
             stops.setId("mix-stops-" + number);
             stops.setBlockIncrement(STEP);
-            stops.setTooltip(new Tooltip(texts.of("render.exposure.hint")));
+            Hint.of(stops).set(texts.of("render.exposure.hint"));
             stops.setAccessibleText(name + ": " + texts.of("render.exposure.hint"));
             color.setId("mix-color-" + number);
-            color.setTooltip(new Tooltip(texts.of("render.mix.color.hint")));
+            Hint.of(color).set(texts.of("render.mix.color.hint"));
             color.setAccessibleText(name + ": " + texts.of("render.mix.color.hint"));
             HBox.setHgrow(stops, Priority.ALWAYS);
             value.setMinWidth(44);

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.render.fields.Answer;
 import cz.paprsek.fx.view.render.fields.Named;
 import cz.paprsek.fx.view.render.fields.RealField;
@@ -16,7 +17,6 @@ import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.beans.value.ObservableBooleanValue;
 import javafx.scene.control.ChoiceBox;
-import javafx.scene.control.Tooltip;
 
 /** How many rays a pixel takes, where they go through, and what is random about them; as {@code render} has it in its options. */
 final class RaysForm {
@@ -37,7 +37,7 @@ final class RaysForm {
             integrator.getItems().add(new Named<>(kind, texts.of("kind." + kind)));
         }
         integrator.setId("render-integrator");
-        integrator.setTooltip(new Tooltip(texts.of("render.integrator.hint")));
+        Hint.of(integrator).set(texts.of("render.integrator.hint"));
         integrator.getSelectionModel().selectFirst();
         integrator.valueProperty().addListener((property, old, now) -> turnTo(now.value()));
         error = new RealField("render-error", texts.of("render.error.hint"), texts, value -> value > 0, RenderSettings.DEFAULT.error());
@@ -46,11 +46,11 @@ final class RaysForm {
             filter.getItems().add(new Named<>(kind, texts.of("kind." + kind)));
         }
         filter.setId("render-filter");
-        filter.setTooltip(new Tooltip(texts.of("render.filter.hint")));
+        Hint.of(filter).set(texts.of("render.filter.hint"));
         filter.getSelectionModel().selectFirst();
         sampler.getItems().setAll(List.of(new Named<>(false, texts.of("render.sampler.scrambled")), new Named<>(true, texts.of("render.sampler.fixed"))));
         sampler.setId("render-sampler");
-        sampler.setTooltip(new Tooltip(texts.of("render.sampler.hint")));
+        Hint.of(sampler).set(texts.of("render.sampler.hint"));
         sampler.getSelectionModel().selectFirst();
         BooleanBinding isGrid = Bindings.createBooleanBinding(() -> mostSamples.validProperty().get() && mostSamples.get() == 0, mostSamples.textProperty());
         error.disableProperty().bind(isGrid);

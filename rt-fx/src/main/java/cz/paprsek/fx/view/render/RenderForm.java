@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.render;
 
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.render.fields.Answer;
 import cz.paprsek.fx.view.render.fields.CheckedField;
 import cz.paprsek.fx.view.render.fields.FormGrid;
@@ -30,7 +31,6 @@ import javafx.beans.value.ObservableValue;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
-import javafx.scene.control.Tooltip;
 
 /** What to render and how: size, part, rays, depth, threads, what the picture shows, which lights are lit, and whose picture it is. */
 final class RenderForm extends FormGrid {
@@ -63,7 +63,7 @@ final class RenderForm extends FormGrid {
         threads = new WholeNumberField("render-threads", texts.of("render.threads.hint"), 1, 1024, 3);
         exposure = new StopsField("render-exposure", texts);
         tone.setId("render-tone");
-        tone.setTooltip(new Tooltip(texts.of("render.tone.hint")));
+        Hint.of(tone).set(texts.of("render.tone.hint"));
         for (Tone curve : Tone.values()) {
             tone.getItems().add(new Named<>(curve, texts.of("kind." + curve)));
         }
@@ -192,7 +192,7 @@ final class RenderForm extends FormGrid {
     private static CheckBox check(String id, String text, String hint) {
         CheckBox box = new CheckBox(text);
         box.setId(id);
-        box.setTooltip(new Tooltip(hint));
+        Hint.of(box).set(hint);
         return box;
     }
 

@@ -8,6 +8,7 @@ import cz.paprsek.fx.model.picture.UnfinishedPictures.Resumed;
 import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.explain.SurfaceSelection;
 import cz.paprsek.fx.view.explain.TreeChooser;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.picture.Framing;
 import cz.paprsek.fx.view.picture.PictureChooser;
@@ -42,7 +43,6 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.control.SplitPane;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.ToggleButton;
-import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
@@ -111,7 +111,7 @@ public final class RenderPane extends StackPane {
         message.setId("render-message");
         clear = button("render.region.clear", this::clearRegion);
         clear.managedProperty().bind(clear.visibleProperty());
-        toggle(selecting, "render.region.drag").setTooltip(new Tooltip(texts.of("render.region.drag.hint")));
+        Hint.of(toggle(selecting, "render.region.drag")).set(texts.of("render.region.drag.hint"));
         selecting.disableProperty().bind(Bindings.isEmpty(tabs.getTabs()));
         PictureSaving saving = new PictureSaving(texts, chooser, message::setText);
         List<Button> buttons = List.of(
@@ -381,7 +381,7 @@ public final class RenderPane extends StackPane {
     /** Has keys do what a button does, except in a text field, which has a use of its own for Ctrl+C. */
     private Button keyed(Button button, String keys) {
         KeyCombination combination = Shortcut.of(keys);
-        button.setTooltip(new Tooltip(combination.getDisplayText()));
+        Hint.of(button).set(combination.getDisplayText());
         addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (combination.match(event)) {
                 button.fire();

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureView;
 import cz.paprsek.fx.view.picture.PixelText;
@@ -24,7 +25,6 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ProgressBar;
 import javafx.scene.control.Tab;
 import javafx.scene.control.ToggleButton;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
@@ -87,7 +87,7 @@ final class RenderTab extends Tab {
         before.setText(texts.of("render.before"));
         before.setId("render-before");
         before.setMinWidth(Region.USE_PREF_SIZE);
-        before.setTooltip(new Tooltip(texts.of("render.before.hint")));
+        Hint.of(before).set(texts.of("render.before.hint"));
         before.selectedProperty().addListener((property, old, now) -> showCompared());
         before.setDisable(true);
         before.setVisible(task.noisy().isPresent());

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.render.fields.Answer;
 import cz.paprsek.fx.view.render.fields.WholeNumberField;
 import cz.paprsek.fx.view.texts.Texts;
@@ -10,7 +11,6 @@ import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.ToggleButton;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignL;
@@ -43,7 +43,7 @@ final class SizeFields extends HBox {
         height = new WholeNumberField("render-height", texts.of("render.height"), 1, RenderSettings.LARGEST_SIDE, 5);
         setId("render-size");
         chain.setId("render-chain");
-        chain.setTooltip(new Tooltip(texts.of("render.chain")));
+        Hint.of(chain).set(texts.of("render.chain"));
         chain.setAccessibleText(texts.of("render.chain"));
         chain.selectedProperty().addListener((property, old, now) -> measure());
         width.textProperty().addListener((property, old, now) -> follow(width, height, 1 / aspect));

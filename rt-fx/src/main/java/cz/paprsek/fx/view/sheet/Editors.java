@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.property.Alternatives;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.view.command.Command;
 import cz.paprsek.fx.view.command.FileFinder;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Text;
@@ -19,7 +20,6 @@ import java.util.stream.Stream;
 import javafx.beans.property.BooleanProperty;
 import javafx.scene.Node;
 import javafx.scene.control.ToggleButton;
-import javafx.scene.control.Tooltip;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** Makes the row and the editor for a property of any kind. */
@@ -142,7 +142,7 @@ final class Editors {
         link.setId("scale-link");
         link.selectedProperty().bindBidirectional(proportional);
         link.setAccessibleText(texts.of("sheet.link"));
-        link.setTooltip(new Tooltip(texts.of("sheet.link")));
+        Hint.of(link).set(texts.of("sheet.link"));
         link.getStyleClass().add("small-button");
         return link;
     }

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.sheet;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.view.command.FileFinder;
 import cz.paprsek.fx.view.command.FileFinder.Kind;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -11,7 +12,6 @@ import cz.paprsek.shape.height.HeightField;
 import java.util.Set;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import org.kordamp.ikonli.javafx.FontIcon;
@@ -54,7 +54,7 @@ final class FileEditor implements PropertyEditor {
     private void say() {
         String text = texts.of(kind == Kind.MESH ? "sheet.choose-mesh" : "sheet.choose-picture");
         choose.setAccessibleText(text);
-        choose.setTooltip(new Tooltip(text));
+        Hint.of(choose).set(text);
     }
 
     /** Relief is of pictures, other shapes are of triangles. */

@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.motion.Keys;
 import cz.paprsek.fx.model.motion.Keys.KeyAt;
 import cz.paprsek.fx.model.property.Keyed;
 import cz.paprsek.fx.model.property.Property;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Recipe.Parameter;
@@ -17,7 +18,6 @@ import javafx.scene.control.Button;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.TextField;
-import javafx.scene.control.Tooltip;
 import javafx.scene.input.ContextMenuEvent;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
@@ -120,7 +120,6 @@ final class KeyButton {
         button.setId(id + "-key");
         button.setGraphic(icon);
         button.getStyleClass().addAll("small-button", "key-button");
-        button.setTooltip(new Tooltip());
         // Whoever types goes on typing.
         button.setFocusTraversable(false);
         button.setOnAction(event -> set());
@@ -145,7 +144,7 @@ final class KeyButton {
             icon.setIconCode(key(scene).isPresent() ? MaterialDesignR.RHOMBUS : MaterialDesignR.RHOMBUS_OUTLINE);
             button.pseudoClassStateChanged(ANIMATED, subject.animation(scene).isPresent());
             String text = text("sheet.key");
-            button.getTooltip().setText(text + " (Alt+K)");
+            Hint.of(button).set(text + " (Alt+K)");
             button.setAccessibleText(text);
         }
     }

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.sheet;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Materials;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.look.MaterialBalls;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
@@ -13,7 +14,6 @@ import java.util.List;
 import java.util.Optional;
 import javafx.scene.control.Button;
 import javafx.scene.control.TitledPane;
-import javafx.scene.control.Tooltip;
 import javafx.scene.image.Image;
 import javafx.scene.image.ImageView;
 import javafx.scene.input.ClipboardContent;
@@ -59,7 +59,7 @@ final class ReadyPane extends TitledPane {
         Button button = new Button("", picture);
         button.setId(id(name));
         button.setAccessibleText(name);
-        button.setTooltip(new Tooltip(name));
+        Hint.of(button).set(name);
         button.getStyleClass().addAll("small-button", "ready-ball");
         button.setOnAction(event -> give(name, material));
         button.setOnDragDetected(event -> {

@@ -1,11 +1,11 @@
 package cz.paprsek.fx.view.sheet;
 
+import cz.paprsek.fx.view.look.Hint;
 import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -21,7 +21,7 @@ final class SheetRow extends VBox {
 
     SheetRow(String text) {
         label = new Label(text);
-        label.setTooltip(new Tooltip(text));
+        Hint.of(label).set(text);
         getStyleClass().add("sheet-row");
         refusal.getStyleClass().add("refusal");
         refusal.setWrapText(true);

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.sheet;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.model.property.TypedFormula;
 import cz.paprsek.fx.view.dialog.ColorBox;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Pattern.Stop;
 import cz.paprsek.material.Rgb;
@@ -15,7 +16,6 @@ import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.TextField;
-import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
@@ -117,7 +117,7 @@ final class StopsEditor implements PropertyEditor {
         Button button = new Button("", new FontIcon(icon));
         button.getStyleClass().addAll("small-button", "stop-" + style);
         button.setAccessibleText(meaning);
-        button.setTooltip(new Tooltip(meaning));
+        Hint.of(button).set(meaning);
         button.setOnAction(event -> action.run());
         return button;
     }
@@ -136,7 +136,7 @@ final class StopsEditor implements PropertyEditor {
             at.setPrefColumnCount(4);
             at.setMinWidth(0);
             at.setAccessibleText(texts.of("sheet.stop.at"));
-            at.setTooltip(new Tooltip(texts.of("sheet.stop.at")));
+            Hint.of(at).set(texts.of("sheet.stop.at"));
             at.setOnAction(event -> enter());
             at.focusedProperty().addListener((property, was, is) -> {
                 if (!is) {

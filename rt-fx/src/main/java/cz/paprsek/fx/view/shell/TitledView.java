@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.shell;
 
+import cz.paprsek.fx.view.look.Hint;
 import javafx.beans.binding.Bindings;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -7,7 +8,6 @@ import javafx.scene.control.Button;
 import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.Label;
 import javafx.scene.control.Labeled;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -38,7 +38,7 @@ public final class TitledView extends BorderPane {
         Button maximize = new Button("", icon);
         maximize.setId(name + "-maximize");
         maximize.getStyleClass().add("view-button");
-        maximize.setTooltip(new Tooltip(maximizeHint));
+        Hint.of(maximize).set(maximizeHint);
         maximize.setAccessibleText(maximizeHint);
         maximize.setFocusTraversable(false);
         maximize.setOnAction(event -> onMaximize.run());

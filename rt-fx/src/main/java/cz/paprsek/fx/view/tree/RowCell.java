@@ -42,7 +42,6 @@ final class RowCell extends ListCell<TreeRow> {
     /** Over the end of the name, which makes room for it as long as it is seen. */
     private final HBox marks = new HBox();
     private final StackPane line = new StackPane(box, marks);
-    private final Tooltip whole = new Tooltip();
     private final FontIcon arrowIcon = new FontIcon("mdi2c-chevron-right");
     private final StackPane arrow = part(arrowIcon, "row-arrow");
     private final FontIcon icon = new FontIcon();
@@ -109,8 +108,13 @@ final class RowCell extends ListCell<TreeRow> {
 
     /** A name that has no room is told whole by a hint. */
     private void hint() {
-        whole.setText(name.getText());
-        name.setTooltip(name.getWidth() < name.prefWidth(-1) ? whole : null);
+        if (name.getWidth() >= name.prefWidth(-1)) {
+            name.setTooltip(null);
+        } else if (name.getTooltip() == null) {
+            name.setTooltip(new Tooltip(name.getText()));
+        } else {
+            name.getTooltip().setText(name.getText());
+        }
     }
 
     private void makeRoom() {

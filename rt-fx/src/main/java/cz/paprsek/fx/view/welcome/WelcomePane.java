@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.welcome;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.view.library.Thumbnails;
 import cz.paprsek.fx.view.library.Worker;
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.Texts;
 import java.util.ArrayList;
 import java.util.List;
@@ -21,7 +22,6 @@ import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.Label;
 import javafx.scene.control.OverrunStyle;
 import javafx.scene.control.ScrollPane;
-import javafx.scene.control.Tooltip;
 import javafx.scene.image.ImageView;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
@@ -208,7 +208,7 @@ public final class WelcomePane extends StackPane {
         tile.setTextOverrun(OverrunStyle.CENTER_ELLIPSIS);
         tile.setMaxWidth(TILE + 14);
         if (!offer.hint().isEmpty()) {
-            tile.setTooltip(new Tooltip(offer.hint()));
+            Hint.of(tile).set(offer.hint());
         }
         tile.setOnAction(event -> run(offer.action()));
         stops.add(tile);

@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.xml;
 
+import cz.paprsek.fx.view.look.Hint;
 import javafx.scene.control.Label;
-import javafx.scene.control.Tooltip;
 import javafx.scene.text.Text;
 
 /** Takes what room there is, and says in it as much as it has room for: all, its short form, or nothing; never a part that ends in dots. All of it is told by a hint. */
@@ -15,7 +15,7 @@ final class ShortLabel extends Label {
         setMinWidth(0);
         setPrefWidth(0);
         setMaxWidth(Double.MAX_VALUE);
-        setTooltip(new Tooltip(whole));
+        Hint.of(this).set(whole);
     }
 
     @Override

@@ -1,11 +1,11 @@
 package cz.paprsek.fx.view.render.fields;
 
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.FirstClick;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.css.PseudoClass;
 import javafx.scene.control.TextField;
-import javafx.scene.control.Tooltip;
 
 /**
  * A field for a number. What is out of range is marked, and has no value; nothing that is typed is swallowed, which would make another number of it. It has no formatter:
@@ -21,7 +21,7 @@ public abstract class CheckedField extends TextField {
     CheckedField(String id, String name, String hint, int columns) {
         setId(id);
         setPrefColumnCount(columns);
-        setTooltip(new Tooltip(hint));
+        Hint.of(this).set(hint);
         setAccessibleText(name);
         FirstClick.takesAll(this, () -> true);
         textProperty().addListener((property, old, now) -> judge());
@@ -38,7 +38,7 @@ public abstract class CheckedField extends TextField {
 
     /** What it is for and within which range, in the language of the window. */
     public final String wanted() {
-        return getTooltip().getText();
+        return getAccessibleHelp();
     }
 
     /** Its number as text if it has one, else what stands there. */

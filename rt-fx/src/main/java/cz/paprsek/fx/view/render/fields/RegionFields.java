@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.render.fields;
 
+import cz.paprsek.fx.view.look.Hint;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.Tile;
 import cz.paprsek.scene.RenderSettings;
@@ -12,7 +13,6 @@ import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.geometry.Pos;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 
 /** Which part of a picture is rendered: all of it, or a rectangle of its pixels, as {@code render --region} has it. */
@@ -30,7 +30,7 @@ public final class RegionFields extends HBox {
         setId("render-part");
         part = new CheckBox(texts.of("render.region.part"));
         part.setId("render-region");
-        part.setTooltip(new Tooltip(texts.of("render.region.hint")));
+        Hint.of(part).set(texts.of("render.region.hint"));
         x = field("render-region-x", texts.of("render.region.x"), 0);
         y = field("render-region-y", texts.of("render.region.y"), 0);
         width = field("render-region-width", texts.of("render.width"), 1);

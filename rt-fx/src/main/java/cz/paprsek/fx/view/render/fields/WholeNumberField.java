@@ -24,7 +24,7 @@ public final class WholeNumberField extends CheckedField {
     /** Sets the largest number. */
     public void setMost(int number) {
         most = number;
-        getTooltip().setText(name + " (" + least + "–" + most + ")");
+        setAccessibleHelp(name + " (" + least + "–" + most + ")");
         judge();
     }
 
