@@ -50,6 +50,7 @@ class KernelsTest {
     private static Process start(String... options) throws Exception {
         List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
         command.addAll(List.of(options));
+        command.add("-Dpaprsek.width=" + (System.getProperty("paprsek.proof") == null ? 56 : 88));
         command.addAll(List.of("-cp", System.getProperty("java.class.path"), Digests.class.getName()));
         return new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
     }
@@ -71,8 +72,9 @@ class KernelsTest {
                 }
             }
             int threads = Integer.getInteger("paprsek.threads");
+            int width = Integer.getInteger("paprsek.width");
             for (Scene scene : scenes) {
-                RenderOptions options = RenderOptions.of(scene.withSettings(scene.settings().withSize(88, 56).withSamples(1))).withThreads(threads);
+                RenderOptions options = RenderOptions.of(scene.withSettings(scene.settings().withSize(width, width * 7 / 11).withSamples(1))).withThreads(threads);
                 System.out.println(scene.name() + ": " + digest(Renderer.render(ShippedPictures.ready(scene), options, RenderMonitor.NONE).image()));
             }
         }

@@ -37,8 +37,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class ExplainTest {
-    /** In every build a quarter of the pixels that the proof, to be had by {@code -Dpaprsek.proof}, looks at. */
-    private static final int WIDTH = System.getProperty("paprsek.proof") == null ? 48 : 96;
+    /** In every build a ninth of the pixels that the proof, to be had by {@code -Dpaprsek.proof}, looks at. */
+    private static final int WIDTH = System.getProperty("paprsek.proof") == null ? 32 : 96;
 
     static Stream<Scene> scenes() throws Exception {
         try (Stream<Path> files = Files.list(Path.of("../scenes"))) {

@@ -16,6 +16,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Items are boxes, and a line meets one where it enters: what a tree finds is compared with what asking every box finds. */
 class TreeTest {
+    /** Through tens of thousands of boxes, each of which is asked. */
+    private static final int LINES = Integer.getInteger("tree.lines", 40);
+
     /** Numbers of boxes, how large the whole is, how far from zero its middle, and how far from there, in its own size, lines begin. */
     @ParameterizedTest
     @CsvSource({
@@ -48,7 +51,7 @@ class TreeTest {
         Entries entries = new Entries(24);
         Bundle bundle = new Bundle();
         int found = 0;
-        int lines = count > 10_000 ? 100 : isWhole ? 500 : 2000;
+        int lines = count > 10_000 ? LINES : isWhole ? 500 : 2000;
         for (int i = 0; i < lines; i++) {
             Line line = Line.through(random, boxes, size, middle, distance, i % 4);
             BitSet expected = new BitSet();

@@ -365,7 +365,7 @@ class BadFilesTest {
         byte[] good = SceneFiles.format(RandomScenes.of(7)).getBytes(StandardCharsets.UTF_8);
         Random random = new Random(5);
         String interesting = "<>&'\"/=- \n0e.!?[]:x\u0000";
-        for (int i = 0; i < 1500; i++) {
+        for (int i = 0; i < 4 * Integer.getInteger("paprsek.damages", 125); i++) {
             ByteArrayOutputStream bad = new ByteArrayOutputStream();
             int at = random.nextInt(good.length);
             bad.write(good, 0, at);

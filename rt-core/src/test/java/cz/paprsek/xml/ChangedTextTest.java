@@ -53,8 +53,9 @@ class ChangedTextTest {
                 scene = edits.any(scene);
                 assertThat(patched(before, scene)).as("seed %d, edit %d", seed, i).isPresent();
                 opened = opened.save(scene);
-                assertThat(SceneFiles.open(file).scene()).isEqualTo(scene);
-                assertThat(SceneFiles.open(file).scene().materials().keySet()).containsExactlyElementsOf(scene.materials().keySet());
+                Scene read = SceneFiles.open(file).scene();
+                assertThat(read).isEqualTo(scene);
+                assertThat(read.materials().keySet()).containsExactlyElementsOf(scene.materials().keySet());
             }
             opened.save(SceneFiles.parse(SceneFiles.format(first)));
             assertThat(Files.readAllBytes(file)).isEqualTo(before);

@@ -19,11 +19,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Shipped files, each damaged in two hundred and fifty ways (or as many as the system property {@code paprsek.damages} says), long ones and those that are longer when
+ * Shipped files, each damaged in a hundred and twenty-five ways (or as many as the system property {@code paprsek.damages} says), long ones and those that are longer when
  * written out in a third as many: every one is read, or refused by line and column, and nothing else happens.
  */
 class DamagedFilesTest {
-    private static final int WAYS = Integer.getInteger("paprsek.damages", 250);
+    private static final int WAYS = Integer.getInteger("paprsek.damages", 125);
     private static final int LARGE = 60_000;
     private static final List<Damage> DAMAGES = List.of(Damage.values());
     private static final List<WayIn> WAYS_IN = List.of(WayIn.values());

@@ -103,7 +103,7 @@ class DatabaseTextTest {
 
     @Test
     void randomDatabasesLaidOutAtRandomBecomeWhatIsWanted() throws Exception {
-        for (int seed = 0; seed < Integer.getInteger("paprsek.databases", 8); seed++) {
+        for (int seed = 0; seed < Integer.getInteger("paprsek.databases", 4); seed++) {
             Random random = new Random(seed);
             List<Scene> scenes = new ArrayList<>();
             for (int i = 0; i < 5; i++) {

@@ -24,9 +24,9 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The window worked in for long, its picture being rendered anew all the while. */
 class EditSoakTest {
-    /** Ten with the proofs. */
+    /** Ten with the proofs, of two hundred edits each. */
     private static final int ROUNDS = Integer.getInteger("paprsek.rounds", 4);
-    private static final int EDITS = 200;
+    private static final int EDITS = 20 * ROUNDS;
     private static final long MOST_MORE = 16_000_000;
     private static final int AT_ONCE = 40;
 

@@ -28,6 +28,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class ResumeTest {
+    private static final int DAMAGES = Integer.getInteger("paprsek.damages", 15);
     private static final Path SCENE = Path.of("../scenes/lens.xml");
 
     @TempDir
@@ -57,7 +58,7 @@ class ResumeTest {
     void goingOnGivesTheSameBytesWhereverTheFileOfTilesWasCut() throws Exception {
         byte[] all = allTiles();
         Random random = new Random(5);
-        for (int i = 0; i < 40; i++) {
+        for (int i = 0; i < DAMAGES; i++) {
             int length = i == 0 ? all.length : random.nextInt(all.length);
             Files.write(tiles, Arrays.copyOf(all, length));
             Run run = render("100x70", "--resume");
@@ -71,7 +72,7 @@ class ResumeTest {
     void damagedTilesAreRenderedAnew() throws Exception {
         byte[] all = allTiles();
         Random random = new Random(6);
-        for (int i = 0; i < 40; i++) {
+        for (int i = 0; i < DAMAGES; i++) {
             byte[] damaged = all.clone();
             damaged[48 + random.nextInt(damaged.length - 48)] ^= (byte) (1 << random.nextInt(8));
             Files.write(tiles, damaged);

@@ -21,6 +21,9 @@ import org.junit.jupiter.api.Test;
 
 /** Lines through meshes: through corners and sides, through what overlaps, and as the same bodies in closed form have them. */
 class CrossingTest {
+    /** -Dcrossing.lines=200000 for as many past triangles without area as were tried first. */
+    private static final int LINES = Integer.getInteger("crossing.lines", 50_000);
+
     /** Corners at whole numbers, so that nothing is rounded: a lattice of 8 × 8 × 8 fields, its outer faces cut along alternating diagonals. */
     private static Triangles lattice() {
         Triangles.Builder out = Triangles.builder();
@@ -66,7 +69,7 @@ class CrossingTest {
         MeshSearch search = new MeshSearch(facets);
         Ray ray = new Ray(new Spans());
         int met = 0;
-        for (int n = 0; n < 200_000; n++) {
+        for (int n = 0; n < LINES; n++) {
             int aimed = n % from.length;
             Vec3 way = to[aimed].minus(from[aimed]);
             Vec3 at = from[aimed].plus(way.times(random.nextDouble()));
