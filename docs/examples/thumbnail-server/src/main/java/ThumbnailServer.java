@@ -8,6 +8,7 @@ import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
@@ -44,7 +45,8 @@ public final class ThumbnailServer {
             }
             try {
                 send(exchange, 200, "image/png", thumbnail(SceneFiles.parse(new String(file, StandardCharsets.UTF_8))));
-            } catch (SceneFileException wrong) {
+            } catch (SceneFileException | UncheckedIOException | IllegalArgumentException wrong) {
+                // Not valid; names files, which nobody has sent along; or is too large.
                 send(exchange, 400, "text/plain; charset=utf-8", (wrong.getMessage() + "\n").getBytes(StandardCharsets.UTF_8));
             }
         }

@@ -54,10 +54,10 @@ final class Settled {
      */
     static Scene with(Scene scene, Map<String, String> parameters) throws SceneFileException, IOException {
         Scene settled = of(scene);
-        if (settled.recipe().isNone()) {
-            throw new IllegalArgumentException("the scene has no parameters");
+        if (settled.recipe().isNone() && !parameters.isEmpty()) {
+            throw new SceneFileException(List.of(new Problem("scene", 1, 1, "there is no parameter \"" + parameters.keySet().iterator().next() + "\" here, nor any other")));
         }
-        return like(scene, made(settled.recipe(), parameters, Moment.REST));
+        return settled.recipe().isNone() ? scene : like(scene, made(settled.recipe(), parameters, Moment.REST));
     }
 
     /** As {@link #with(Scene, Map)}, of a scene that has been settled, at another time. */

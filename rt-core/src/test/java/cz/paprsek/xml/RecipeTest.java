@@ -160,6 +160,12 @@ class RecipeTest {
     }
 
     @Test
+    void whereThereIsNoParameterNoneIsGivenAnotherValue() throws Exception {
+        assertThatThrownBy(() -> SceneFiles.with(Scene.EMPTY, Map.of("n", "4"))).isInstanceOf(SceneFileException.class).hasMessageContaining("there is no parameter \"n\" here, nor any other");
+        assertThat(SceneFiles.with(Scene.EMPTY, Map.of())).isSameAs(Scene.EMPTY);
+    }
+
+    @Test
     void parametersMayBeGivenOtherValues() throws Exception {
         Path file = Files.writeString(folder.resolve("gear.xml"), scene("<param name='n' value='3' min='2' max='9' step='1'/><repeat count='{n}' position='1 0 0'><sphere/></repeat>"));
         Scene read = SceneFiles.read(file);

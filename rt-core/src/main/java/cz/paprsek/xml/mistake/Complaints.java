@@ -31,6 +31,8 @@ import org.xml.sax.Attributes;
 public final class Complaints {
     private static final Set<String> SURFACES = ElementTable.of(Shape.class).filter(shape -> !Solid.class.isAssignableFrom(shape)).map(ElementTable::name)
             .collect(Collectors.toUnmodifiableSet());
+    private static final String MATERIAL = "material";
+    private static final String OF_MATERIAL = "; it belongs into a <material> inside";
     private static final Set<String> OPERATIONS = Arrays.stream(Csg.Operation.values()).map(Described::word).collect(Collectors.toUnmodifiableSet());
     private static final String ANIMATION = ElementTable.name(Animation.class);
     private static final int LONGEST_QUOTE = 60;
@@ -130,7 +132,7 @@ public final class Complaints {
         }
         Map<String, String> allowed = grammar.children(grammar.type(path.subList(0, path.size() - 1)));
         if (allowed.containsKey(element)) {
-            return element.equals("material") ? "<material> must come first, and once, within <" + parent + ">"
+            return element.equals(MATERIAL) ? "<material> must come first, and once, within <" + parent + ">"
                     : "there must be only one <" + element + "> within <" + parent + ">";
         }
         if (allowed.isEmpty()) {
@@ -138,8 +140,8 @@ public final class Complaints {
         }
         boolean isKnown = grammar.allElements().contains(element);
         String suggestion = Wording.suggestion(element, allowed.keySet());
-        return "<" + parent + "> has no element <" + element + ">" + (isKnown ? " here" : "")
-                + (suggestion.isEmpty() && !isKnown ? Wording.insteadOf(element) : suggestion);
+        return "<" + parent + "> has no element <" + element + ">" + (isKnown ? " here" : "") + (!suggestion.isEmpty() ? suggestion : !isKnown ? Wording.insteadOf(element)
+                : grammar.children(allowed.getOrDefault(MATERIAL, "")).containsKey(element) ? OF_MATERIAL : "");
     }
 
     private void unknownAttributes(String element, String type, Attributes found, int line, int column) {
@@ -151,7 +153,9 @@ public final class Complaints {
         for (int i = 0; i < found.getLength(); i++) {
             String name = found.getQName(i);
             if (!known.containsKey(name) && !found.getURI(i).equals(XMLConstants.W3C_XML_SCHEMA_INSTANCE_NS_URI)) {
-                problems.add(line, column, "<" + element + "> has no attribute \"" + name + "\"" + Wording.suggestion(name, free), name);
+                String suggestion = Wording.suggestion(name, free);
+                boolean isOfMaterial = suggestion.isEmpty() && grammar.attributes(grammar.children(type).getOrDefault(MATERIAL, "")).containsKey(name);
+                problems.add(line, column, "<" + element + "> has no attribute \"" + name + "\"" + (isOfMaterial ? OF_MATERIAL : suggestion), name);
             }
         }
         instanceAttributes(element, found, line, column);
