@@ -94,6 +94,18 @@ class SceneFilesTest {
         assertThat(SceneFiles.read(file)).isEqualTo(RandomScenes.of(1));
     }
 
+    /** In an attribute a line break as it is would be read as a blank; in a description it stays one. */
+    @Test
+    void linesOfATextStayLines(@TempDir Path folder) throws Exception {
+        Scene scene = SceneFiles.parse("<scene xmlns='urn:paprsek:scene:1'><description>one\ntwo</description><camera position='0 0 5' target='0 0 0'/><text value='a&#10;b&#9;c'/></scene>");
+        assertThat(SceneFiles.format(scene)).contains("<description>one\ntwo</description>", "value=\"a&#10;b&#9;c\"");
+        assertThat(SceneFiles.parse(SceneFiles.format(scene))).isEqualTo(scene);
+        SceneFile open = SceneFiles.open(Files.writeString(folder.resolve("a.xml"), "<scene xmlns='urn:paprsek:scene:1'><camera position='0 0 5' target='0 0 0'/>\n  <text value='old'/>\n</scene>"));
+        Scene changed = open.scene().withObjects(List.of(open.scene().objects().get(0).withShape(scene.objects().get(0).shape()), scene.objects().get(0)));
+        open.save(changed);
+        assertThat(SceneFiles.read(folder.resolve("a.xml")).objects()).isEqualTo(changed.objects()).hasSize(2);
+    }
+
     @Test
     void elementsMayComeInAnyOrder() throws Exception {
         Scene scene = WayIn.all("""

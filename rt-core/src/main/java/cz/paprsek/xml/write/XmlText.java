@@ -33,7 +33,7 @@ final class XmlText {
             if (isPlain) {
                 text.append(value);
             } else {
-                escape(value);
+                escape(value, "&#10;");
             }
             text.append('"');
         }
@@ -55,7 +55,7 @@ final class XmlText {
     void element(String name, String content) {
         endTag();
         indent().append('<').append(name).append('>');
-        escape(content);
+        escape(content, "\n");
         text.append("</").append(name).append(">\n");
     }
 
@@ -107,7 +107,8 @@ final class XmlText {
         return text.append("  ".repeat(level));
     }
 
-    private void escape(String value) {
+    /** @param lineBreak how one is written: as it is, in an attribute it would be read as a blank */
+    private void escape(String value, String lineBreak) {
         if (isPlain(value)) {
             text.append(value);
             return;
@@ -118,6 +119,7 @@ final class XmlText {
                 case '>' -> text.append("&gt;");
                 case '&' -> text.append("&amp;");
                 case '"' -> text.append("&quot;");
+                case '\n' -> text.append(lineBreak);
                 case '\r', '\t' -> text.append("&#").append(c).append(';');
                 default -> {
                     Require.that(SceneFormat.isAllowed(c), "a text has the character " + String.format("U+%04X", c) + ", which no file can hold; remove it");
