@@ -116,6 +116,21 @@ class RendererTest {
         return crop;
     }
 
+    /** So many shadow rays go to each of its lights that buffers of these are made; to a part so few that there are none. */
+    @Test
+    void aLargePictureIsThatOfItsPartsToTheBit() {
+        Scene scene = Scenes.random(7, 40);
+        scene = scene.withSettings(scene.settings().withSize(480, 272));
+        RenderOptions options = RenderOptions.of(scene);
+        RenderResult whole = Renderer.render(RenderScene.of(scene), options.withThreads(2), RenderMonitor.NONE);
+        assertThat(whole.stats().shadow()).isGreaterThan(3 * 2 * 32_768);
+        for (int y = 0; y < 272; y += 4) {
+            RenderResult part = Renderer.render(RenderScene.of(scene), options.withRegion(new Tile(0, y, 480, 4)), RenderMonitor.NONE);
+            assertThat(part.stats().shadow()).isLessThan(32_768);
+            assertThat(Scenes.difference(part.image(), crop(whole.image(), 0, y, 480, 4), 0)).isZero();
+        }
+    }
+
     @Test
     void aRegionIsThatPartOfThePictureToTheBit() {
         RenderScene scene = RenderScene.of(SCENE);

@@ -117,7 +117,7 @@ final class Lighting {
         this.shadow = new Ray(spans);
         this.lastOccluder = new Surface[maxDepth * lamps.length];
         this.asked = Asked.none(Integer.highestOneBit(Math.min(MOST_ASKED, 2 * lastOccluder.length + 1)));
-        this.starts = new ShadowStarts(bodies, lamps);
+        this.starts = new ShadowStarts(bodies, lamps, stop);
         this.anywhere = bodies.whole();
         this.dims = scene.absorbs();
         this.dimming = new Dimming(scene);
@@ -335,14 +335,14 @@ final class Lighting {
         shadow.start(hit.px, hit.py, hit.pz, arrival.x, arrival.y, arrival.z, hit.size, arrival.distance - Ray.TOUCH * hit.size, ray.part,
                 level.leaving == ray.face < 0);
         isBeyond = true;
-        double share = share(depth * lamps.length + light, anywhere, lobe.beyond);
+        double share = share(depth, light, anywhere, lobe.beyond);
         isBeyond = false;
         return share > 0 && glows.occludes(shadow, light) ? 0 : share;
     }
 
     private double visibility(int depth, int light, Level level) {
         rays++;
-        Entries among = depth == 0 ? starts.of(light) : anywhere;
+        Entries among = starts.of(depth, light);
         if (glows.areNone() && bodies.isClear(among) && !dims) {
             return 1;
         }
@@ -351,7 +351,7 @@ final class Lighting {
         shadow.start(hit.px, hit.py, hit.pz, arrival.x, arrival.y, arrival.z, hit.size, arrival.distance - Ray.TOUCH * hit.size, ray.part,
                 level.leaving != ray.face < 0);
         backFrom(level, shadow);
-        double share = share(depth * lamps.length + light, among, level.media);
+        double share = share(depth, light, among, level.media);
         return share > 0 && glows.occludes(shadow, light) ? 0 : share;
     }
 
@@ -363,13 +363,14 @@ final class Lighting {
     }
 
     /** The share of a light that comes along the shadow ray: the product of the transparencies of all surfaces in between. */
-    private double share(int memory, Entries among, Media media) {
+    private double share(int depth, int light, Entries among, Media media) {
+        int memory = depth * lamps.length + light;
         Surface last = lastOccluder[memory];
         if (last != null && last.occludes(shadow)) {
             return 0;
         }
         int mark = spans.size();
-        Surface occluder = bodies.occluder(shadow, among, finder, spans);
+        Surface occluder = starts.occluder(light, shadow, among, finder, spans);
         double product = occluder == null ? 1 : 0;
         if (spans.size() > mark || dims) {
             around = media;
@@ -388,6 +389,7 @@ final class Lighting {
     /** Forgets what last stood in the way. */
     void forget() {
         Arrays.fill(lastOccluder, null);
+        starts.forget();
     }
 
     /** Whether the shadow ray meets a boundary that was found, which may lie in one place with its start. */

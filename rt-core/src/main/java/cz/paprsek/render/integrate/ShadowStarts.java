@@ -1,18 +1,32 @@
 package cz.paprsek.render.integrate;
 
 import cz.paprsek.ray.Hit;
+import cz.paprsek.render.buffer.LightBuffer;
+import cz.paprsek.render.buffer.LightBuffers;
+import cz.paprsek.render.buffer.LightPlace;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
-/** Where the shadow rays of a block of rays look for what stands in their way, found out once for all of them: scratch of one worker. */
+/**
+ * Where shadow rays look for what stands in their way: scratch of one worker. For those of a block of rays it is found out once for all of them where in the tree that is; and once so many have been sent to a light that
+ * comes from one place that it is worth it, they ask a {@link LightBuffer}.
+ */
 final class ShadowStarts {
     /** Into how many subtrees the search of a block's shadow rays is split at most: as measured. */
     private static final int MOST_ENTRIES = 8;
+
+    private static final int NEVER = Integer.MAX_VALUE;
 
     private final Bodies bodies;
     private final Lamp[] lamps;
@@ -24,18 +38,68 @@ final class ShadowStarts {
     /** By light. */
     private final Entries[] between;
     private final Entries anywhere;
+    private final BooleanSupplier stop;
+    private final Optional<LightBuffers> makers;
+    /** Whether all is found by trees. */
+    private final boolean isPlain;
+    /** By light, if it has one by now. */
+    private final @Nullable LightBuffer[] buffers;
+    /** By light: how many rays are to be sent before it is asked whether it has one. */
+    private final int[] before;
 
-    ShadowStarts(Bodies bodies, Lamp[] lamps) {
+    ShadowStarts(Bodies bodies, Lamp[] lamps, BooleanSupplier stop) {
         this.bodies = bodies;
         this.lamps = lamps;
+        this.stop = stop;
+        this.makers = bodies.buffers();
+        this.isPlain = makers.isEmpty();
+        this.buffers = new LightBuffer[lamps.length];
+        this.before = new int[lamps.length];
+        Arrays.fill(before, makers.map(LightBuffers::raysBefore).orElse(NEVER));
+        makers.ifPresent(maker -> Arrays.setAll(buffers, light -> lamps[light].place().flatMap(maker::known).orElse(null)));
         this.towardsLamp = Stream.generate(() -> new Entries(MOST_ENTRIES)).limit(lamps.length).toArray(Entries[]::new);
         this.between = new Entries[lamps.length];
         this.anywhere = bodies.whole();
     }
 
-    /** Where to look for what stands between the hits and a light. */
-    Entries of(int light) {
-        return between[light];
+    /** Where in the tree to look for what stands between a light and a hit of a level. */
+    Entries of(int depth, int light) {
+        return depth == 0 ? between[light] : anywhere;
+    }
+
+    /**
+     * Looks for what stands between the min and max of a shadow ray.
+     *
+     * @param among where in the tree it would be
+     * @param through as in {@link Bodies#occluder}
+     */
+    @Nullable Surface occluder(int light, Ray shadow, Entries among, Bodies.Finder finder, Spans through) {
+        if (isPlain) {
+            return bodies.occluder(shadow, among, finder, through);
+        }
+        return byBuffer(light, shadow, among, finder, through);
+    }
+
+    private @Nullable Surface byBuffer(int light, Ray shadow, Entries among, Bodies.Finder finder, Spans through) {
+        LightBuffer buffer = buffers[light];
+        if (buffer == null) {
+            if (--before[light] == 0) {
+                buffers[light] = made(lamps[light].place());
+            }
+        } else if (buffer.knows(shadow)) {
+            return bodies.occluder(shadow, buffer, through);
+        }
+        return bodies.occluder(shadow, among, finder, through);
+    }
+
+    private @Nullable LightBuffer made(Optional<LightPlace> place) {
+        return makers.flatMap(maker -> place.flatMap(light -> maker.of(light, stop))).orElse(null);
+    }
+
+    /** From now on all rays ask the tree, whatever was found before. */
+    void forget() {
+        Arrays.fill(buffers, null);
+        Arrays.fill(before, NEVER);
     }
 
     /** Finds out what can stand between each light and the hits of a block: to be called before these are lit, on level 0. */
@@ -46,7 +110,7 @@ final class ShadowStarts {
             return;
         }
         for (int light = 0; light < lamps.length; light++) {
-            if (lamps[light].bundle(hits, bundle)) {
+            if (buffers[light] == null && lamps[light].bundle(hits, bundle)) {
                 // Not the last bit before a hit, which keeps the surfaces that were hit out: a shadow ray begins at TOUCH · size, and a tenth
                 // less leaves room for rounding.
                 bundle.end(1 - 0.9 * Ray.TOUCH * smallest / bundle.longest());

@@ -3,6 +3,7 @@ package cz.paprsek.render.light;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.render.buffer.LightPlace;
 import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.CustomLight;
 import cz.paprsek.scene.Light;
@@ -11,6 +12,7 @@ import cz.paprsek.scene.SphereLight;
 import cz.paprsek.scene.SpotLight;
 import cz.paprsek.scene.SunLight;
 import cz.paprsek.tree.Bundle;
+import java.util.Optional;
 
 /** A light ready for shading: one class for each kind. Immutable. */
 public abstract class Lamp {
@@ -97,6 +99,11 @@ public abstract class Lamp {
      */
     public boolean bundle(Bundle hits, Bundle bundle) {
         return false;
+    }
+
+    /** Where all its light comes from, if that is one place. */
+    public Optional<LightPlace> place() {
+        return Optional.empty();
     }
 
     /** Makes its own light, times a factor, what arrives. */

@@ -1,8 +1,11 @@
 package cz.paprsek.render.light;
 
+import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.render.buffer.LightPlace;
 import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.tree.Bundle;
+import java.util.Optional;
 
 /** A light of no size. */
 public abstract class LampAtPoint extends Lamp {
@@ -28,6 +31,11 @@ public abstract class LampAtPoint extends Lamp {
     public final boolean bundle(Bundle hits, Bundle bundle) {
         bundle.lead(x, y, z, hits);
         return true;
+    }
+
+    @Override
+    public final Optional<LightPlace> place() {
+        return Optional.of(new LightPlace(new Vec3(x, y, z), false));
     }
 
     /**

@@ -3,7 +3,9 @@ package cz.paprsek.render.light;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.render.buffer.LightPlace;
 import cz.paprsek.scene.SunLight;
+import java.util.Optional;
 
 /** Parallel light. */
 final class SunLamp extends Lamp {
@@ -26,5 +28,10 @@ final class SunLamp extends Lamp {
         out.z = towards.z();
         out.distance = Double.POSITIVE_INFINITY;
         return arrives(1, out);
+    }
+
+    @Override
+    public Optional<LightPlace> place() {
+        return Optional.of(new LightPlace(towards, true));
     }
 }

@@ -1,6 +1,9 @@
 package cz.paprsek.render.surface;
 
 import cz.paprsek.math.Bounds;
+import cz.paprsek.render.buffer.LightBuffer;
+import cz.paprsek.render.buffer.LightBuffers;
+import cz.paprsek.render.hull.Endless;
 import cz.paprsek.render.hull.Few;
 import cz.paprsek.render.hull.Hull;
 import cz.paprsek.render.hull.Loose;
@@ -22,6 +25,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
@@ -49,12 +53,12 @@ public final class Bodies {
     /** Whether a ray of which nothing is known meets all without the tree. */
     private final boolean areLoose;
     private final Loose loose;
-    private final Surface[] endless;
-    private final boolean[] endlessOpaque;
-    private final int[] endlessOrder;
+    private final Endless endless;
     /** Which of the surfaces in the tree are no longer there, and the bodies that are there instead; null if all are. */
     private final BitSet gone;
     private final @Nullable Bodies beside;
+    /** What finds what stands in the way of lights in place of the tree. */
+    private final Optional<LightBuffers> buffers;
     /** Where among the surfaces each body is; empty until it is asked for. */
     private int[] places = {};
 
@@ -72,14 +76,13 @@ public final class Bodies {
         Optional<Row> row = areWithin || !areFew() ? Optional.empty() : balls.row();
         this.areLoose = areWithin || row.isPresent();
         this.loose = row.<Loose>map(known -> new Few(surfaces, opaque, known)).orElseGet(() -> new Loose(surfaces, opaque));
-        this.endless = pick(all, infinite);
-        this.endlessOpaque = pick(allOpaque, infinite);
-        this.endlessOrder = infinite;
+        this.endless = new Endless(all, allOpaque, infinite);
         this.gone = new BitSet(0);
         this.beside = null;
+        this.buffers = areLoose ? Optional.empty() : Optional.of(new LightBuffers(surfaces, balls, opaque));
     }
 
-    private Bodies(Bodies all, BitSet gone, int[] endlessLeft, Hull hull, Bodies beside) {
+    private Bodies(Bodies all, BitSet gone, Endless endless, Hull hull, Bodies beside) {
         this.surfaces = all.surfaces;
         this.balls = all.balls;
         this.opaque = all.opaque;
@@ -91,11 +94,10 @@ public final class Bodies {
         this.hull = hull;
         this.areLoose = false;
         this.loose = all.loose;
-        this.endless = pick(all.endless, endlessLeft);
-        this.endlessOpaque = pick(all.endlessOpaque, endlessLeft);
-        this.endlessOrder = all.endlessOrder;
+        this.endless = endless;
         this.gone = gone;
         this.beside = beside;
+        this.buffers = Optional.empty();
     }
 
     /**
@@ -112,8 +114,8 @@ public final class Bodies {
                 missing.set(known[body]);
             }
         }
-        int[] left = IntStream.range(0, endless.length).filter(i -> Arrays.binarySearch(which, endlessOrder[i]) < 0).toArray();
-        return new Bodies(this, missing, left, hull.only(body -> Arrays.binarySearch(which, body) < 0), of(fresh, freshOpaque, stop));
+        IntPredicate isKept = body -> Arrays.binarySearch(which, body) < 0;
+        return new Bodies(this, missing, endless.only(isKept), hull.only(isKept), of(fresh, freshOpaque, stop));
     }
 
     /** Found once; several threads that do so find the same. */
@@ -185,7 +187,7 @@ public final class Bodies {
 
     /** Whether a search of these subtrees can find nothing at all. */
     public boolean isClear(Entries entries) {
-        return entries.isEmpty() && endless.length == 0 && hull.isNone() && beside == null;
+        return entries.isEmpty() && endless.isNone() && hull.isNone() && beside == null;
     }
 
     /** Whether some of them are walls of which a ray meets but the one through which it leaves the room. */
@@ -222,9 +224,7 @@ public final class Bodies {
 
     /** Pushes every boundary between the ray's min and max, whatever it belongs to. */
     public void crossings(Ray ray, Finder gatherer) {
-        for (Surface surface : endless) {
-            surface.crossings(ray, gatherer.through);
-        }
+        endless.crossings(ray, gatherer.through);
         hull.crossings(ray, gatherer.through);
         tree.any(gatherer, ray, whole);
         Finder more = gatherer.beside;
@@ -236,9 +236,7 @@ public final class Bodies {
     /** Finds the ray's nearest hit in the given subtrees. */
     public void nearest(Ray ray, Entries entries, Finder finder) {
         hull.nearest(ray);
-        for (Surface surface : endless) {
-            surface.nearest(ray);
-        }
+        endless.nearest(ray);
         if (areLoose && entries == whole && finder.isSoFar(loose)) {
             loose.nearest(ray, finder.scratch);
             return;
@@ -257,10 +255,9 @@ public final class Bodies {
      * @return the first opaque body found, or null
      */
     public @Nullable Surface occluder(Ray ray, Entries entries, Finder finder, Spans through) {
-        for (int i = 0; i < endless.length; i++) {
-            if (Loose.blocks(endless[i], endlessOpaque[i], ray, through)) {
-                return endless[i];
-            }
+        Surface before = endless.occluder(ray, through);
+        if (before != null) {
+            return before;
         }
         if (areLoose && entries == whole && finder.isSoFar(loose)) {
             Surface near = loose.occluder(ray, through, finder.scratch);
@@ -276,6 +273,18 @@ public final class Bodies {
         }
         Finder more = finder.beside;
         return more == null ? null : more.bodies.occluder(ray, more.bodies.whole(), more, through);
+    }
+
+    /** What finds the same for lights, where it is of use. */
+    public Optional<LightBuffers> buffers() {
+        return buffers;
+    }
+
+    /** The same as from anywhere in the tree, by one of the {@link #buffers}. */
+    public @Nullable Surface occluder(Ray ray, LightBuffer buffer, Spans through) {
+        Surface found = endless.occluder(ray, through);
+        found = found == null ? buffer.occluder(ray, through) : found;
+        return found == null ? hull.occluder(ray) : found;
     }
 
     /** What is done at the leaves: scratch of one worker. */

@@ -74,6 +74,15 @@ public final class Balls {
         return values.length > 0;
     }
 
+    /** Writes middle and squared radius of the ball around a surface; false if there is none. */
+    public boolean putAround(int surface, double[] into) {
+        boolean is = areAny() && values[4 * surface + 3] < Double.POSITIVE_INFINITY;
+        if (is) {
+            System.arraycopy(values, 4 * surface, into, 0, 4);
+        }
+        return is;
+    }
+
     /** All of them in a row, if that is asked sooner than one by one. */
     public Optional<Row> row() {
         return Row.of(values);

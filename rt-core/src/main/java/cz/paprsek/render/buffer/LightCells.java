@@ -1,0 +1,84 @@
+package cz.paprsek.render.buffer;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+
+/** What each cell of a light's grid shows. Immutable. */
+final class LightCells {
+    /** So many bodies between two questions whether to stop. */
+    private static final int BATCH = 1024;
+    /** So many entries for each cell and each body are too many: then bodies lie behind each other, many in each cell. */
+    private static final int MOST = 8;
+
+    /** By cell, and one more: where its bodies begin among the entries. */
+    final int[] starts;
+    /** Two numbers each, the nearest to the light first: which body, and up to where from the light nothing of it is, as the bits of a float. */
+    final int[] entries;
+
+    private LightCells(int[] starts, int[] entries) {
+        this.starts = starts;
+        this.entries = entries;
+    }
+
+    /** Lays bodies over the cells, those near to the light first, but for where one is hidden by a ball nearer to the light. Empty if there are too many in them, or if it is told to stop. */
+    static Optional<LightCells> of(LightOutlines outlines, LightGrid grid, BooleanSupplier stop) {
+        int[] order = outlines.nearestFirst();
+        float[] behind = new float[grid.size * grid.size];
+        Arrays.fill(behind, Float.POSITIVE_INFINITY);
+        int[] starts = new int[behind.length + 1];
+        int[] cells = new int[behind.length];
+        int[] bodies = new int[behind.length];
+        int count = 0;
+        double half = grid.halfDiagonal();
+        for (int o = 0; o < order.length; o++) {
+            if (o % BATCH == 0 && stop.getAsBoolean()) {
+                return Optional.empty();
+            }
+            int k = order[o];
+            float near = outlines.near(k);
+            float hides = outlines.take(k, half);
+            int last = grid.lastRow(outlines.edge(k, 3));
+            for (int row = grid.firstRow(outlines.edge(k, 1)); row <= last; row++) {
+                int end = grid.lastColumn(outlines.edge(k, 2));
+                for (int column = grid.firstColumn(outlines.edge(k, 0)); column <= end; column++) {
+                    int cell = row * grid.size + column;
+                    double u = grid.middleU(column);
+                    double v = grid.middleV(row);
+                    if (near > behind[cell] || !outlines.mayBeIn(u, v)) {
+                        continue;
+                    }
+                    if (hides < behind[cell] && outlines.fills(u, v)) {
+                        behind[cell] = hides;
+                    }
+                    if (count == cells.length) {
+                        if (count > MOST * (behind.length + order.length)) {
+                            return Optional.empty();
+                        }
+                        cells = Arrays.copyOf(cells, 2 * count);
+                        bodies = Arrays.copyOf(bodies, 2 * count);
+                    }
+                    cells[count] = cell;
+                    bodies[count++] = k;
+                    starts[cell + 1]++;
+                }
+            }
+        }
+        return Optional.of(sorted(outlines, starts, cells, bodies, count));
+    }
+
+    /** By cell, and within a cell as they came. */
+    private static LightCells sorted(LightOutlines outlines, int[] starts, int[] cells, int[] bodies, int count) {
+        for (int cell = 1; cell < starts.length; cell++) {
+            starts[cell] += starts[cell - 1];
+        }
+        int[] next = starts.clone();
+        int[] entries = new int[2 * count];
+        for (int i = 0; i < count; i++) {
+            int at = 2 * next[cells[i]]++;
+            entries[at] = outlines.body(bodies[i]);
+            entries[at + 1] = Float.floatToRawIntBits(outlines.near(bodies[i]));
+        }
+        return new LightCells(starts, entries);
+    }
+}

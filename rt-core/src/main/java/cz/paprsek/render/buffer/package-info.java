@@ -1,0 +1,5 @@
+/** What stands before lights, found once for all shadow rays. */
+@NullMarked
+package cz.paprsek.render.buffer;
+
+import org.jspecify.annotations.NullMarked;
