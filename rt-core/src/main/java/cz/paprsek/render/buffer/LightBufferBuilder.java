@@ -3,9 +3,9 @@ package cz.paprsek.render.buffer;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.shape.placed.Balls;
 import cz.paprsek.shape.placed.Surface;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import java.util.stream.IntStream;
 
 /** Makes a {@link LightBuffer}, where that is worth it. */
 final class LightBufferBuilder {
@@ -32,34 +32,50 @@ final class LightBufferBuilder {
 
     /** Empty if it would not be worth it, or if it is told to stop. */
     Optional<LightBuffer> build(LightPlace light, BooleanSupplier stop) {
-        Bounds all = around(IntStream.range(0, surfaces.length).toArray());
+        Bounds[] boxes = new Bounds[surfaces.length];
+        Bounds all = Bounds.EMPTY;
+        for (int i = 0; i < boxes.length; i++) {
+            if (i % LightCells.BATCH == 0 && stop.getAsBoolean()) {
+                return Optional.empty();
+            }
+            boxes[i] = surfaces[i].bounds();
+            all = all.union(boxes[i]);
+        }
         if (!(all.magnitude() < HUGE && light.at().length() < HUGE)) {
             return Optional.empty();
         }
         double most = LARGE * LightView.length(all);
-        int[] large = IntStream.range(0, surfaces.length).filter(i -> isLarge(surfaces[i].bounds(), light, most)).limit(MOST_LARGE + 1).toArray();
-        int[] small = IntStream.range(0, surfaces.length).filter(i -> !isLarge(surfaces[i].bounds(), light, most)).toArray();
-        Bounds box = around(small);
+        int[] small = new int[boxes.length];
+        int[] large = new int[MOST_LARGE];
+        int smalls = 0;
+        int larges = 0;
+        Bounds box = Bounds.EMPTY;
+        for (int i = 0; i < boxes.length; i++) {
+            if (!isLarge(boxes[i], light, most)) {
+                small[smalls++] = i;
+                box = box.union(boxes[i]);
+            } else if (larges < MOST_LARGE) {
+                large[larges++] = i;
+            } else {
+                return Optional.empty();
+            }
+        }
         double radius = LightView.length(box) / 2;
         double nearest = light.isFar() ? 1 : box.isEmpty() ? 0 : box.middle().minus(light.at()).length() - radius;
-        if (box.isEmpty() || large.length > MOST_LARGE || !((radius > 0 && nearest > (OUTSIDE - 1) * radius) || light.isFar())) {
+        if (box.isEmpty() || !((radius > 0 && nearest > (OUTSIDE - 1) * radius) || light.isFar())) {
             return Optional.empty();
         }
         LightView view = new LightView(light, box);
-        LightOutlines outlines = new LightOutlines(view, surfaces, balls, opaque, small);
-        LightGrid grid = outlines.grid(rows(small.length), nearest);
+        LightOutlines outlines = new LightOutlines(view, surfaces, balls, opaque, Arrays.copyOf(small, smalls));
+        if (!outlines.find(boxes, stop)) {
+            return Optional.empty();
+        }
+        LightGrid grid = outlines.grid(rows(smalls), nearest);
         if (!(box.magnitude() < grid.farthest && light.at().length() < grid.farthest)) {
             return Optional.empty();
         }
-        return LightCells.of(outlines, grid, stop).map(cells -> new LightBuffer(surfaces, balls, opaque, view, grid, cells, large));
-    }
-
-    private Bounds around(int[] some) {
-        Bounds around = Bounds.EMPTY;
-        for (int i : some) {
-            around = around.union(surfaces[i].bounds());
-        }
-        return around;
+        int[] asked = Arrays.copyOf(large, larges);
+        return LightCells.of(outlines, grid, stop).map(cells -> new LightBuffer(surfaces, balls, opaque, view, grid, cells, asked));
     }
 
     /** As measured: so that a cell of many shows a body or two. */

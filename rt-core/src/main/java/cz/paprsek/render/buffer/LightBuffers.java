@@ -2,10 +2,10 @@ package cz.paprsek.render.buffer;
 
 import cz.paprsek.shape.placed.Balls;
 import cz.paprsek.shape.placed.Surface;
-import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -14,15 +14,20 @@ import java.util.function.BooleanSupplier;
  */
 public final class LightBuffers {
     /** So many are kept, the latest. */
-    private static final int MOST = 16;
-    /** Among fewer bodies trees are as fast; more would take long to make. */
+    private static final int MOST = 8;
+    /** Among fewer bodies trees are as fast; of more a buffer takes long to make, and much memory. */
     private static final int LEAST_BODIES = 16;
-    private static final int MOST_BODIES = 1 << 18;
+    private static final int MOST_BODIES = 1 << 17;
     /** So many shadow rays are sent without, for each body and at least: to make one takes as long as some such. */
     private static final int LEAST_RAYS = 1 << 15;
+    /** More than a body takes in a buffer and to make it, in bytes, and so much at least; of the memory that is free a quarter may be taken. */
+    private static final long EACH = 256;
+    private static final long LEAST_BYTES = 1 << 24;
+    private static final int SHARE = 4;
 
     private final LightBufferBuilder builder;
     private final int bodies;
+    private final ReentrantLock lock = new ReentrantLock();
     private final Map<LightPlace, Optional<LightBuffer>> made = new LinkedHashMap<>();
 
     /** Of bodies that all have an end. */
@@ -31,30 +36,58 @@ public final class LightBuffers {
         bodies = surfaces.length;
     }
 
-    /** After how many shadow rays to one light its buffer is worth being made; never if it is not. */
+    /** After how many shadow rays to one light its buffer is worth being asked for; never if it is not. */
     public int raysBefore() {
         return bodies < LEAST_BODIES || bodies > MOST_BODIES ? Integer.MAX_VALUE : Math.max(LEAST_RAYS, bodies);
     }
 
-    /** That of a light if it has been made. */
-    public synchronized Optional<LightBuffer> known(LightPlace light) {
-        return made.getOrDefault(light, Optional.empty());
+    /** That of a light if it has been made, and nobody is making one. */
+    public Optional<LightBuffer> known(LightPlace light) {
+        if (!lock.tryLock()) {
+            return Optional.empty();
+        }
+        try {
+            return made.getOrDefault(light, Optional.empty());
+        } finally {
+            lock.unlock();
+        }
     }
 
-    /** That of a light, which is made unless it is there; empty if it is better without, or if it is told to stop. */
-    public synchronized Optional<LightBuffer> of(LightPlace light, BooleanSupplier stop) {
-        Optional<LightBuffer> known = made.get(light);
-        if (known != null) {
-            return known;
+    /**
+     * That of a light, which is made unless it is there.
+     *
+     * @return empty if it is better without, if another thread makes one at this moment, if memory is short, or if it is told to stop
+     */
+    public Optional<LightBuffer> of(LightPlace light, BooleanSupplier stop) {
+        if (!lock.tryLock()) {
+            return Optional.empty();
+        }
+        try {
+            Optional<LightBuffer> known = made.get(light);
+            return known == null ? make(light, stop) : known;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private Optional<LightBuffer> make(LightPlace light, BooleanSupplier stop) {
+        if (isMemoryShort()) {
+            return Optional.empty();
         }
         Optional<LightBuffer> buffer = builder.build(light, stop);
-        if (!stop.getAsBoolean()) {
-            made.put(light, buffer);
-            for (Iterator<LightPlace> oldest = made.keySet().iterator(); made.size() > MOST;) {
-                oldest.next();
-                oldest.remove();
-            }
+        if (buffer.isEmpty() && stop.getAsBoolean()) {
+            return buffer;
         }
+        if (made.size() == MOST) {
+            made.remove(made.keySet().iterator().next());
+        }
+        made.put(light, buffer);
         return buffer;
+    }
+
+    private boolean isMemoryShort() {
+        Runtime runtime = Runtime.getRuntime();
+        long free = runtime.maxMemory() - (runtime.totalMemory() - runtime.freeMemory());
+        return (LEAST_BYTES + EACH * bodies) * SHARE > free;
     }
 }

@@ -7,9 +7,13 @@ import java.util.function.BooleanSupplier;
 /** What each cell of a light's grid shows. Immutable. */
 final class LightCells {
     /** So many bodies between two questions whether to stop. */
-    private static final int BATCH = 1024;
-    /** So many entries for each cell and each body are too many: then bodies lie behind each other, many in each cell. */
-    private static final int MOST = 8;
+    static final int BATCH = 1024;
+    /** More entries are too many: then many bodies lie behind each other. */
+    private static final int MOST = 1 << 20;
+    /** So many cells looked at, also where a body is hidden, take too long. */
+    private static final long MOST_LOOKED_AT = 1 << 23;
+    /** So many between two questions whether to stop. */
+    private static final long SOME_LOOKED_AT = 1 << 16;
 
     /** By cell, and one more: where its bodies begin among the entries. */
     final int[] starts;
@@ -31,17 +35,23 @@ final class LightCells {
         int[] bodies = new int[behind.length];
         int count = 0;
         double half = grid.halfDiagonal();
-        for (int o = 0; o < order.length; o++) {
-            if (o % BATCH == 0 && stop.getAsBoolean()) {
-                return Optional.empty();
-            }
-            int k = order[o];
+        long lookedAt = 0;
+        long untilAsked = 0;
+        for (int k : order) {
             float near = outlines.near(k);
             float hides = outlines.take(k, half);
             int last = grid.lastRow(outlines.edge(k, 3));
             for (int row = grid.firstRow(outlines.edge(k, 1)); row <= last; row++) {
+                int first = grid.firstColumn(outlines.edge(k, 0));
                 int end = grid.lastColumn(outlines.edge(k, 2));
-                for (int column = grid.firstColumn(outlines.edge(k, 0)); column <= end; column++) {
+                if (lookedAt >= untilAsked) {
+                    if (lookedAt > MOST_LOOKED_AT || stop.getAsBoolean()) {
+                        return Optional.empty();
+                    }
+                    untilAsked = lookedAt + SOME_LOOKED_AT;
+                }
+                lookedAt += end - first + 1;
+                for (int column = first; column <= end; column++) {
                     int cell = row * grid.size + column;
                     double u = grid.middleU(column);
                     double v = grid.middleV(row);
@@ -52,7 +62,7 @@ final class LightCells {
                         behind[cell] = hides;
                     }
                     if (count == cells.length) {
-                        if (count > MOST * (behind.length + order.length)) {
+                        if (count >= MOST) {
                             return Optional.empty();
                         }
                         cells = Arrays.copyOf(cells, 2 * count);

@@ -5,6 +5,7 @@ import cz.paprsek.shape.placed.Ball;
 import cz.paprsek.shape.placed.Balls;
 import cz.paprsek.shape.placed.Surface;
 import java.util.Arrays;
+import java.util.function.BooleanSupplier;
 
 /** Where a light would see bodies: no part of one is outside of its outline. For one thread. */
 final class LightOutlines {
@@ -41,18 +42,21 @@ final class LightOutlines {
         this.which = which;
         edges = new double[4 * which.length];
         near = new float[which.length];
+    }
+
+    /** Finds the outlines; false if it is told to stop. */
+    boolean find(Bounds[] boxes, BooleanSupplier stop) {
         for (int k = 0; k < which.length; k++) {
-            Bounds box = surfaces[which[k]].bounds().padded();
-            double least = outline(box, k);
+            if (k % LightCells.BATCH == 0 && stop.getAsBoolean()) {
+                return false;
+            }
+            double least = outline(boxes[which[k]].padded(), k);
             if (balls.putAround(which[k], ball)) {
                 least = Math.max(least, narrow(k));
             }
             near[k] = (float) (Math.max(0, least) * (1 - ROUNDING));
         }
-    }
-
-    int count() {
-        return which.length;
+        return true;
     }
 
     int body(int k) {

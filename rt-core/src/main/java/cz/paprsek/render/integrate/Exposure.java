@@ -36,6 +36,8 @@ public final class Exposure implements Integrator {
      */
     public Exposure(List<World> worlds, List<Eye> eyes, int maxDepth, Sampling sampling) {
         this.instants = worlds.stream().<BlockTracer>map(world -> sampling instanceof Passes inPasses ? new Paths(world, maxDepth, inPasses) : new Whitted(world, maxDepth, sampling)).toList();
+        // Few rays come to each, so that nothing is worth being found out for them all.
+        this.instants.forEach(BlockTracer::forget);
         this.eyes = List.copyOf(eyes);
         this.sampling = sampling;
         this.sampler = sampling.newSampler();

@@ -55,8 +55,11 @@ final class ShadowStarts {
         this.isPlain = makers.isEmpty();
         this.buffers = new LightBuffer[lamps.length];
         this.before = new int[lamps.length];
-        Arrays.fill(before, makers.map(LightBuffers::raysBefore).orElse(NEVER));
-        makers.ifPresent(maker -> Arrays.setAll(buffers, light -> lamps[light].place().flatMap(maker::known).orElse(null)));
+        for (int light = 0; light < lamps.length && !isPlain; light++) {
+            Optional<LightPlace> place = lamps[light].place();
+            before[light] = place.isPresent() ? makers.get().raysBefore() : NEVER;
+            buffers[light] = place.isPresent() ? makers.get().known(place.get()).orElse(null) : null;
+        }
         this.towardsLamp = Stream.generate(() -> new Entries(MOST_ENTRIES)).limit(lamps.length).toArray(Entries[]::new);
         this.between = new Entries[lamps.length];
         this.anywhere = bodies.whole();
@@ -84,7 +87,7 @@ final class ShadowStarts {
         LightBuffer buffer = buffers[light];
         if (buffer == null) {
             if (--before[light] == 0) {
-                buffers[light] = made(lamps[light].place());
+                ask(light);
             }
         } else if (buffer.knows(shadow)) {
             return bodies.occluder(shadow, buffer, through);
@@ -92,8 +95,12 @@ final class ShadowStarts {
         return bodies.occluder(shadow, among, finder, through);
     }
 
-    private @Nullable LightBuffer made(Optional<LightPlace> place) {
-        return makers.flatMap(maker -> place.flatMap(light -> maker.of(light, stop))).orElse(null);
+    /** Asks for the light's buffer; if there is none, after as many rays again. */
+    private void ask(int light) {
+        LightBuffers maker = makers.orElseThrow();
+        Optional<LightPlace> place = lamps[light].place();
+        buffers[light] = place.isPresent() ? maker.of(place.get(), stop).orElse(null) : null;
+        before[light] = maker.raysBefore();
     }
 
     /** From now on all rays ask the tree, whatever was found before. */
