@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import com.sun.management.ThreadMXBean;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.image.Image;
+import cz.paprsek.material.CustomPattern;
+import cz.paprsek.material.Material;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderResult.Outcome;
 import cz.paprsek.render.eye.Eye;
@@ -354,14 +356,12 @@ class RendererTest {
 
     @Test
     void aFaultNamesThePixel() {
-        RenderMonitor broken = new RenderMonitor() {
-            @Override
-            public void finished(Tile tile, Image image, int done, int total) {
-                throw new UnsupportedOperationException("no");
-            }
+        CustomPattern broken = (x, y, z, hit) -> {
+            throw new UnsupportedOperationException("no");
         };
-        assertThatThrownBy(() -> Renderer.render(RenderScene.of(SCENE), RenderOptions.of(SCENE), broken))
-                .isInstanceOf(IllegalStateException.class).hasMessageContaining("pixel").hasMessageContaining("no");
+        Scene scene = Scenes.empty().plus(SceneObject.of(new Sphere(1)).madeOf(Material.DEFAULT.withPattern(broken))).plus(Light.at(0, 5, 5));
+        assertThatThrownBy(() -> Renderer.render(RenderScene.of(scene), RenderOptions.of(scene), RenderMonitor.NONE))
+                .isInstanceOf(IllegalStateException.class).hasMessageMatching("rendering failed at pixel \\d+, \\d+: .*no");
     }
 
     @Test
