@@ -14,9 +14,11 @@ import cz.paprsek.warning.SceneWarnings;
 import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.Problem;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.regex.Pattern;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -35,6 +37,9 @@ import picocli.CommandLine.Parameters;
         },
         footer = {"", "Examples:", "  paprsek validate my.xml", "  paprsek validate 'scenes/**.xml' --json"})
 final class ValidateCommand implements Callable<Integer> {
+    /** Which of several alike, or of the copies of one: the only thing in which what is said of them differs. */
+    private static final Pattern COPY = Pattern.compile("#\\d+|\\[\\d+\\]");
+
     private final Terminal terminal;
     private final Stop stop;
 
@@ -105,8 +110,9 @@ final class ValidateCommand implements Callable<Integer> {
         }
     }
 
+    /** What is true of several copies, which stand in one place, once. */
     private static List<Found> found(SceneReading reading) {
-        List<Found> found = new ArrayList<>();
+        Map<String, Found> found = new LinkedHashMap<>();
         reading.text().ifPresent(text -> {
             OriginalText.Pointer pointer = text.pointer();
             for (int i : reading.whole().toArray()) {
@@ -114,11 +120,12 @@ final class ValidateCommand implements Callable<Integer> {
                 String where = text.contents().isDatabase() ? "scene \"" + scene.name() + "\": " : "";
                 for (SceneWarning warning : SceneWarnings.of(scene)) {
                     String message = (warning.isNote() ? "note: " : "warning: ") + where + warning.message();
-                    found.add(new Found(scene.name(), warning, pointer.at(i, warning.place(), warning.attribute(), message)));
+                    Problem problem = pointer.at(i, warning.place(), warning.attribute(), message);
+                    found.putIfAbsent(COPY.matcher(problem.toString()).replaceAll(""), new Found(scene.name(), warning, problem));
                 }
             }
         });
-        return found;
+        return List.copyOf(found.values());
     }
 
     private static String json(SceneReading reading, List<Found> warnings, List<Found> notes, boolean isGood) {

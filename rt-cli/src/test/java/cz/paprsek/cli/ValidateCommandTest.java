@@ -305,7 +305,7 @@ class ValidateCommandTest {
         String head = "<scene xmlns='urn:paprsek:scene:1'><param name='n' value='3'/><camera position='0 1 50' target='0 0 0'/>" + LIGHT + "\n" + before.replace('~', '\n') + "\n";
         Path file = Files.writeString(folder.resolve("made.xml"), head + body.replace("§", "") + "</scene>");
         String place = file + ":" + (head.chars().filter(c -> c == '\n').count() + 1) + ":" + (body.indexOf('§') + 1) + ": ";
-        assertThat(Run.cli("validate", "-D", "n=4", file, "--strict").err().lines()).isNotEmpty().allSatisfy(told -> assertThat(told).startsWith(place));
+        assertThat(Run.cli("validate", "-D", "n=4", file, "--strict").err().lines()).hasSize(1).allSatisfy(told -> assertThat(told).startsWith(place));
     }
 
     @Test

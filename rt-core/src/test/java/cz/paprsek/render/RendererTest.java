@@ -124,13 +124,37 @@ class RendererTest {
         Scene scene = Scenes.random(7, 40);
         scene = scene.withSettings(scene.settings().withSize(480, 272));
         RenderOptions options = RenderOptions.of(scene);
-        RenderResult whole = Renderer.render(RenderScene.of(scene), options.withThreads(2), RenderMonitor.NONE);
-        assertThat(whole.stats().shadow()).isGreaterThan(3 * 2 * 32_768);
+        RenderScene prepared = RenderScene.of(scene);
+        RenderResult whole = Renderer.render(prepared, options.withThreads(2), RenderMonitor.NONE);
+        assertThat(lightBuffers(prepared)).isEqualTo(3);
         for (int y = 0; y < 272; y += 4) {
-            RenderResult part = Renderer.render(RenderScene.of(scene), options.withRegion(new Tile(0, y, 480, 4)), RenderMonitor.NONE);
-            assertThat(part.stats().shadow()).isLessThan(32_768);
-            assertThat(Scenes.difference(part.image(), crop(whole.image(), 0, y, 480, 4), 0)).isZero();
+            RenderScene other = RenderScene.of(scene);
+            Image part = Renderer.render(other, options.withRegion(new Tile(0, y, 480, 4)), RenderMonitor.NONE).image();
+            assertThat(lightBuffers(other)).isZero();
+            assertThat(Scenes.difference(part, crop(whole.image(), 0, y, 480, 4), 0)).isZero();
         }
+    }
+
+    /** Where nodes are counted, each pixel must find what it would find alone; and of many lights none has a buffer. */
+    @Test
+    void noLightBufferIsMadeWhereItWouldBeSeenOrTakeMuchMemory() {
+        Scene scene = Scenes.random(7, 40);
+        scene = scene.withSettings(scene.settings().withSize(480, 272));
+        RenderScene counted = RenderScene.of(scene);
+        Renderer.render(counted, RenderOptions.of(scene).withMode(RenderMode.NODES), RenderMonitor.NONE);
+        assertThat(lightBuffers(counted)).isZero();
+        Scene crowded = scene;
+        for (int i = 0; i < 6; i++) {
+            crowded = crowded.plus(Light.at(i, 9, 2));
+        }
+        RenderScene lit = RenderScene.of(crowded);
+        Renderer.render(lit, RenderOptions.of(crowded), RenderMonitor.NONE);
+        assertThat(lightBuffers(lit)).isZero();
+    }
+
+    /** How many lights have one. */
+    private static long lightBuffers(RenderScene scene) {
+        return Stream.of(scene.world().lamps()).filter(lamp -> scene.world().bodies().buffers().orElseThrow().known(lamp.place().orElseThrow()).isPresent()).count();
     }
 
     @Test

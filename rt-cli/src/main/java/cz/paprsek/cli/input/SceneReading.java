@@ -14,6 +14,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -56,7 +57,8 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
 
     /** With the triangles of meshes; one that is not to be had is a problem at the attribute that names its file. */
     private static SceneReading withMeshes(Path file, OriginalText text, Assets assets) {
-        List<Problem> problems = new ArrayList<>();
+        // What is wrong with a copy is wrong with all, in one place.
+        Set<Problem> problems = new LinkedHashSet<>();
         List<Scene> scenes = new ArrayList<>();
         Set<Integer> lacking = new HashSet<>();
         OriginalText.Pointer pointer = text.pointer();
@@ -67,7 +69,7 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
                 problems.add(pointer.at(number, Optional.of(place), place.in(scene).shape() instanceof Text ? "font" : "file", String.valueOf(problem.getMessage())));
             }));
         }
-        return new SceneReading(file, scenes, problems, Optional.of(text), Optional.empty(), lacking);
+        return new SceneReading(file, scenes, List.copyOf(problems), Optional.of(text), Optional.empty(), lacking);
     }
 
     /** The scenes in which everything is there that is to be measured, by their numbers. */
@@ -78,7 +80,7 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
     /** With what there is to say of pictures that its scenes and their meshes name and that are missing or too large; they are not decoded. */
     public SceneReading withPictures(Pictures pictures) {
         Assets assets = pictures.of(file);
-        List<Problem> all = new ArrayList<>(problems);
+        Set<Problem> all = new LinkedHashSet<>(problems);
         Optional<OriginalText.Pointer> pointer = text.map(OriginalText::pointer);
         whole().forEach(number -> Pictures.ofMeshes(scenes.get(number)).forEach((name, at) -> {
             try {
@@ -95,13 +97,14 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
                 } catch (IOException e) {
                     Problem problem = pointer.get().naming(i, name, Failures.sentence(e));
                     // Of meshes and fonts, it has been told already.
-                    if (all.stream().noneMatch(told -> told.toString().startsWith(problem.toString()))) {
+                    if (all.stream().noneMatch(told -> told.line() == problem.line() && told.column() == problem.column() && told.file().equals(problem.file())
+                            && told.message().startsWith(problem.message()))) {
                         all.add(problem);
                     }
                 }
             }
         }
-        return new SceneReading(file, scenes, all, text, foreign, lacking);
+        return new SceneReading(file, scenes, List.copyOf(all), text, foreign, lacking);
     }
 
     /**

@@ -13,8 +13,8 @@ import java.util.function.BooleanSupplier;
  * of threads.
  */
 public final class LightBuffers {
-    /** So many are kept, the latest. */
-    private static final int MOST = 8;
+    /** So many are kept, the latest. A scene with more lights that come from one place has none. */
+    public static final int MOST = 8;
     /** Among fewer bodies trees are as fast; of more a buffer takes long to make, and much memory. */
     private static final int LEAST_BODIES = 16;
     private static final int MOST_BODIES = 1 << 17;
@@ -28,7 +28,8 @@ public final class LightBuffers {
     private final LightBufferBuilder builder;
     private final int bodies;
     private final ReentrantLock lock = new ReentrantLock();
-    private final Map<LightPlace, Optional<LightBuffer>> made = new LinkedHashMap<>();
+    /** Those that have been made, or are not worth it, the oldest first. Replaced, never changed. */
+    private volatile Map<LightPlace, Optional<LightBuffer>> made = Map.of();
 
     /** Of bodies that all have an end. */
     public LightBuffers(Surface[] surfaces, Balls balls, boolean[] opaque) {
@@ -41,16 +42,9 @@ public final class LightBuffers {
         return bodies < LEAST_BODIES || bodies > MOST_BODIES ? Integer.MAX_VALUE : Math.max(LEAST_RAYS, bodies);
     }
 
-    /** That of a light if it has been made, and nobody is making one. */
+    /** That of a light if it has been made. */
     public Optional<LightBuffer> known(LightPlace light) {
-        if (!lock.tryLock()) {
-            return Optional.empty();
-        }
-        try {
-            return made.getOrDefault(light, Optional.empty());
-        } finally {
-            lock.unlock();
-        }
+        return made.getOrDefault(light, Optional.empty());
     }
 
     /**
@@ -78,10 +72,12 @@ public final class LightBuffers {
         if (buffer.isEmpty() && stop.getAsBoolean()) {
             return buffer;
         }
-        if (made.size() == MOST) {
-            made.remove(made.keySet().iterator().next());
+        Map<LightPlace, Optional<LightBuffer>> all = new LinkedHashMap<>(made);
+        if (all.size() == MOST) {
+            all.remove(all.keySet().iterator().next());
         }
-        made.put(light, buffer);
+        all.put(light, buffer);
+        made = all;
         return buffer;
     }
 

@@ -9,7 +9,7 @@ final class LightCells {
     /** So many bodies between two questions whether to stop. */
     static final int BATCH = 1024;
     /** More entries are too many: then many bodies lie behind each other. */
-    private static final int MOST = 1 << 20;
+    private static final int MOST = 3 << 19;
     /** So many cells looked at, also where a body is hidden, take too long. */
     private static final long MOST_LOOKED_AT = 1 << 23;
     /** So many between two questions whether to stop. */

@@ -4,8 +4,8 @@ package cz.paprsek.render.buffer;
 final class LightGrid {
     /** By so much of a cell what is seen is taken to be larger on all sides, for what rounding does. */
     static final double MARGIN = 0.01;
-    /** How much of a cell the numbers of a ray may be off by. */
-    private static final double OFF = 1e-3;
+    /** How much of a cell the numbers of a ray may be off by: so little that what touches its start lies in its cell as well. */
+    private static final double OFF = 1e-6;
     private static final double ROUNDING = 1e-15;
 
     final int size;

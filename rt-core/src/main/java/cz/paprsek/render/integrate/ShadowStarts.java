@@ -55,14 +55,26 @@ final class ShadowStarts {
         this.isPlain = makers.isEmpty();
         this.buffers = new LightBuffer[lamps.length];
         this.before = new int[lamps.length];
-        for (int light = 0; light < lamps.length && !isPlain; light++) {
-            Optional<LightPlace> place = lamps[light].place();
-            before[light] = place.isPresent() ? makers.get().raysBefore() : NEVER;
-            buffers[light] = place.isPresent() ? makers.get().known(place.get()).orElse(null) : null;
-        }
+        begin();
         this.towardsLamp = Stream.generate(() -> new Entries(MOST_ENTRIES)).limit(lamps.length).toArray(Entries[]::new);
         this.between = new Entries[lamps.length];
         this.anywhere = bodies.whole();
+    }
+
+    /** All lights that come from one place begin with what is known, unless they are too many. */
+    private void begin() {
+        Arrays.fill(before, NEVER);
+        LightBuffers maker = makers.orElse(null);
+        if (maker == null || Stream.of(lamps).filter(lamp -> lamp.place().isPresent()).count() > LightBuffers.MOST) {
+            return;
+        }
+        for (int light = 0; light < lamps.length; light++) {
+            Optional<LightPlace> place = lamps[light].place();
+            if (place.isPresent()) {
+                before[light] = maker.raysBefore();
+                buffers[light] = maker.known(place.get()).orElse(null);
+            }
+        }
     }
 
     /** Where in the tree to look for what stands between a light and a hit of a level. */
@@ -86,7 +98,7 @@ final class ShadowStarts {
     private @Nullable Surface byBuffer(int light, Ray shadow, Entries among, Bodies.Finder finder, Spans through) {
         LightBuffer buffer = buffers[light];
         if (buffer == null) {
-            if (--before[light] == 0) {
+            if (before[light] != NEVER && --before[light] == 0) {
                 ask(light);
             }
         } else if (buffer.knows(shadow)) {

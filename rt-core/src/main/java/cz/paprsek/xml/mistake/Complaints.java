@@ -32,7 +32,9 @@ public final class Complaints {
     private static final Set<String> SURFACES = ElementTable.of(Shape.class).filter(shape -> !Solid.class.isAssignableFrom(shape)).map(ElementTable::name)
             .collect(Collectors.toUnmodifiableSet());
     private static final String MATERIAL = "material";
-    private static final String OF_MATERIAL = "; it belongs into a <material> inside";
+    /** Its materials are for objects that name them. */
+    private static final String SCENE = "scene";
+    private static final String OF_MATERIAL = "; it belongs in a <material> inside";
     private static final Set<String> OPERATIONS = Arrays.stream(Csg.Operation.values()).map(Described::word).collect(Collectors.toUnmodifiableSet());
     private static final String ANIMATION = ElementTable.name(Animation.class);
     private static final int LONGEST_QUOTE = 60;
@@ -141,7 +143,7 @@ public final class Complaints {
         boolean isKnown = grammar.allElements().contains(element);
         String suggestion = Wording.suggestion(element, allowed.keySet());
         return "<" + parent + "> has no element <" + element + ">" + (isKnown ? " here" : "") + (!suggestion.isEmpty() ? suggestion : !isKnown ? Wording.insteadOf(element)
-                : grammar.children(allowed.getOrDefault(MATERIAL, "")).containsKey(element) ? OF_MATERIAL : "");
+                : !parent.equals(SCENE) && grammar.children(allowed.getOrDefault(MATERIAL, "")).containsKey(element) ? OF_MATERIAL : "");
     }
 
     private void unknownAttributes(String element, String type, Attributes found, int line, int column) {
@@ -154,7 +156,7 @@ public final class Complaints {
             String name = found.getQName(i);
             if (!known.containsKey(name) && !found.getURI(i).equals(XMLConstants.W3C_XML_SCHEMA_INSTANCE_NS_URI)) {
                 String suggestion = Wording.suggestion(name, free);
-                boolean isOfMaterial = suggestion.isEmpty() && grammar.attributes(grammar.children(type).getOrDefault(MATERIAL, "")).containsKey(name);
+                boolean isOfMaterial = suggestion.isEmpty() && !element.equals(SCENE) && grammar.attributes(grammar.children(type).getOrDefault(MATERIAL, "")).containsKey(name);
                 problems.add(line, column, "<" + element + "> has no attribute \"" + name + "\"" + (isOfMaterial ? OF_MATERIAL : suggestion), name);
             }
         }
