@@ -60,8 +60,7 @@ final class SystemDialogs implements Dialogs {
             chooser.setInitialFileName(String.valueOf(path.getFileName()));
             Optional.ofNullable(path.getParent()).filter(Files::isDirectory).ifPresent(folder -> chooser.setInitialDirectory(folder.toFile()));
         });
-        return FileBox.toSave(chooser, owner)
-                .map(path -> path.toString().contains(".") ? path : Path.of(path + ".xml"));
+        return FileBox.toSave(chooser, owner, texts.get());
     }
 
     @Override

@@ -28,8 +28,7 @@ public interface TreeChooser {
             chooser.setTitle(texts.of("explain.save"));
             chooser.setInitialFileName(name);
             chooser.getExtensionFilters().add(new ExtensionFilter(texts.of("explain.save" + extension), "*" + extension));
-            return FileBox.toSave(chooser, owner).map(Path::toString)
-                    .map(path -> Path.of(path.endsWith(extension) ? path : path + extension));
+            return FileBox.toSave(chooser, owner, texts);
         };
     }
 }

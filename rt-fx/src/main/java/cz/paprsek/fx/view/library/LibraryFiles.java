@@ -33,18 +33,12 @@ public interface LibraryFiles {
 
             @Override
             public Optional<Path> toCreate(Window owner) {
-                return saved(chooser("database.xml", database), owner);
+                return FileBox.toSave(chooser("database.xml", database), owner, texts);
             }
 
             @Override
             public Optional<Path> toExport(Window owner, String table) {
-                return saved(chooser(table + ".csv", csv, json), owner);
-            }
-
-            private Optional<Path> saved(FileChooser chooser, Window owner) {
-                String ending = chooser.getExtensionFilters().get(0).getExtensions().get(0).substring(1);
-                return FileBox.toSave(chooser, owner)
-                        .map(path -> String.valueOf(path.getFileName()).contains(".") ? path : Path.of(path + ending));
+                return FileBox.toSave(chooser(table + ".csv", csv, json), owner, texts);
             }
 
             private FileChooser chooser(String name, ExtensionFilter... filters) {

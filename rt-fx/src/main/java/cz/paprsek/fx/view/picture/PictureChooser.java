@@ -4,8 +4,6 @@ import cz.paprsek.fx.view.dialog.FileBox;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.ImageFormat;
 import java.nio.file.Path;
-import java.util.HashMap;
-import java.util.Map;
 import java.util.Optional;
 import javafx.stage.FileChooser;
 import javafx.stage.FileChooser.ExtensionFilter;
@@ -29,18 +27,11 @@ public interface PictureChooser {
             FileChooser chooser = new FileChooser();
             chooser.setTitle(texts.of("render.save"));
             chooser.setInitialFileName(name);
-            Map<ExtensionFilter, ImageFormat> formats = new HashMap<>();
             for (ImageFormat format : ImageFormat.values()) {
-                ExtensionFilter filter = new ExtensionFilter(
-                        format.extension().toUpperCase(texts.locale()) + " – " + texts.of("format." + format.extension()), "*." + format.extension());
-                formats.put(filter, format);
-                chooser.getExtensionFilters().add(filter);
+                chooser.getExtensionFilters().add(new ExtensionFilter(
+                        format.extension().toUpperCase(texts.locale()) + " – " + texts.of("format." + format.extension()), "*." + format.extension()));
             }
-            return FileBox.toSave(chooser, owner).map(file -> {
-                boolean complete = ImageFormat.ofFile(String.valueOf(file.getFileName())).isPresent();
-                ImageFormat format = formats.getOrDefault(chooser.getSelectedExtensionFilter(), ImageFormat.PNG);
-                return complete ? file : Path.of(file + "." + format.extension());
-            });
+            return FileBox.toSave(chooser, owner, texts, file -> ImageFormat.ofFile(file).isPresent());
         };
     }
 }
