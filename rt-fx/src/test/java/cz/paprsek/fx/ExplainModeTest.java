@@ -17,6 +17,7 @@ import java.util.Optional;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
 import javafx.scene.control.MenuButton;
+import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.TreeView;
 import javafx.scene.input.KeyCode;
@@ -144,6 +145,14 @@ class ExplainModeTest {
         assertThat(((ToggleButton) editor.gui.node("#camera-explain")).isSelected()).isFalse();
         click(0.5, 0.5);
         assertThat(editor.model().selection()).as("a click selects again").hasSize(1);
+    }
+
+    @Test
+    void inTheTreeOfObjectsTheKeyIsALetterToLookFor() {
+        editor.gui.act(() -> editor.gui.node("#tree-list").requestFocus());
+        editor.gui.keys(KeyCode.E);
+        assertThat(Gui.on(() -> ((TextField) editor.gui.node("#tree-find")).getText())).isEqualTo("e");
+        assertThat(((ToggleButton) editor.gui.node("#camera-explain")).isSelected()).isFalse();
     }
 
     @Test

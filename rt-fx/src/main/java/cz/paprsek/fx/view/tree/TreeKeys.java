@@ -29,7 +29,7 @@ final class TreeKeys {
 
     void attach(ListView<TreeRow> list) {
         list.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
-            if (!(event.getTarget() instanceof TextField) && pressed(event)) {
+            if (!(event.getTarget() instanceof TextField) && (pressed(event) || isForFind(event))) {
                 event.consume();
             }
         });
@@ -44,6 +44,11 @@ final class TreeKeys {
                 event.consume();
             }
         });
+    }
+
+    /** Letters are looked for, and switch nothing on in the views. */
+    private static boolean isForFind(KeyEvent event) {
+        return event.getCode().isLetterKey() && !event.isShortcutDown() && !event.isAltDown();
     }
 
     private boolean pressed(KeyEvent event) {
