@@ -43,6 +43,7 @@ class SentencesTest {
             a worksheet is about single rays, not paths: integrator must be whitted    | pracovní list je o jednotlivých paprscích, ne o cestách: integrator má být whitted
             no other pixel is like 3,4, whose rays meet the same: choose one that has such neighbours | žádný jiný bod není jako 3,4, aby jeho paprsky potkaly totéž: zvolte bod, který má takové sousedy
             nothing is repeated in the scene, and no definition used                   | ve scéně se nic neopakuje a není použita žádná definice
+            column 5: the end or an operation must stand here, but "m" was found       | sloupec 5: tady má stát konec nebo operace, ale je tu "m"
             frame 41: sphere radius must be a finite number above 0, but is -0.6       | snímek 41: koule, poloměr: má být konečné číslo větší než 0, ale je -0.6
             "pictures/oak.png": there is no such file beside the scene                 | "pictures/oak.png": vedle scény takový soubor není
             /home/eva/picture.properties: is damaged                                   | /home/eva/picture.properties: je poškozen
