@@ -26,8 +26,6 @@ import java.util.stream.Stream;
  * @param opponent whom to compare with
  */
 record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Optional<Rival> opponent) {
-    /** Renders before the first one that counts: the compiler of the virtual machine needs them. */
-    private static final int WARM_UP = 4;
     /** A scene is prepared more than once only as long as that takes less than so many seconds. */
     private static final double BUILDING = 10;
 
@@ -77,21 +75,31 @@ record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Option
         double[] cpu = new double[rounds];
         double[] theirs = new double[rounds];
         RenderResult.Stats rays = RenderResult.Stats.NONE;
-        for (int i = -WARM_UP; i < rounds; i++) {
+        warmUp(name, scene, ready, options);
+        for (int i = 0; i < rounds; i++) {
             CpuTime time = new CpuTime(stop);
             rays = Renderer.render(ready, options, time).stats();
             checkStop();
-            double their = opponent.isPresent() && (i >= 0 || opponent.get().warmsUp())
-                    ? opponent.get().seconds(name, scene, threads) : Double.NaN;
+            theirs[i] = opponent.isPresent() ? opponent.get().seconds(name, scene, threads) : Double.NaN;
             checkStop();
-            if (i >= 0) {
-                trace[i] = rays.traceSeconds();
-                cpu[i] = time.seconds();
-                theirs[i] = their;
-            }
+            trace[i] = rays.traceSeconds();
+            cpu[i] = time.seconds();
         }
         return new Result(name, size(scene), rays, bytes, median(build), median(trace), median(cpu), median(theirs),
                 ratios(theirs, cpu).min().orElse(Double.NaN), ratios(theirs, cpu).max().orElse(Double.NaN));
+    }
+
+    /** Renders what does not count, until there is little left to compile. */
+    private void warmUp(String name, Scene scene, RenderScene ready, RenderOptions options) throws IOException {
+        WarmUp warmUp = new WarmUp();
+        do {
+            Renderer.render(ready, options, new CpuTime(stop));
+            checkStop();
+            if (opponent.isPresent() && opponent.get().warmsUp()) {
+                opponent.get().seconds(name, scene, threads);
+                checkStop();
+            }
+        } while (warmUp.goesOn());
     }
 
     private static int size(Scene scene) {
