@@ -43,7 +43,7 @@ class NullsTest {
             .filter(type -> type.getModifiers().contains(JavaModifier.PUBLIC)).map(JavaClass::reflect).<Class<?>>map(type -> type)
             .filter(NullsTest::isVisible).sorted(Comparator.comparing(Class::getName)).toList();
     /** Only this library itself goes there. */
-    private static final Pattern INNER = Pattern.compile("cz\\.paprsek\\.(tree|list|attribute|image\\.(exr|png)|format\\.\\w+|xml\\.(bind|format|mistake|quick|text|typing|write)|render\\.(buffer|denoise|eye|glow|hull|integrate|light|show|surface|texture|work)|scene\\.motion|shape\\.(copied|placed))|"
+    private static final Pattern INNER = Pattern.compile("cz\\.paprsek\\.(tree|list|attribute|image\\.(exr|png)|format\\.\\w+|xml\\.(bind|format|mistake|quick|text|typing|write)|render\\.(buffer|denoise|eye|glow|hull|integrate|lanes|light|show|surface|texture|work)|scene\\.motion|shape\\.(copied|placed))|"
             + "cz\\.paprsek\\.(math\\.Require|io\\.BinaryInput)");
     /** Equal to nothing; for the renderer alone; and what a caller's own function is asked about. */
     private static final Set<String> NOT_CHECKED = Set.of("equals", "place", "cell");

@@ -2,6 +2,7 @@ package cz.paprsek.render.eye;
 
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.lanes.Vec3s;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.shape.placed.Ray;
@@ -77,7 +78,8 @@ public abstract class Eye {
 
     /** Starts one of these rays. */
     public final void start(Ray ray, Views views, int i) {
-        ray.start(position.x(), position.y(), position.z(), views.dx[i], views.dy[i], views.dz[i]);
+        Vec3s to = views.directions;
+        ray.start(position.x(), position.y(), position.z(), to.x[i], to.y[i], to.z[i]);
     }
 
     /** Makes a bundle of all rays through a block of pixels; false if they cannot be bundled. */

@@ -36,19 +36,21 @@ class Pinhole extends Eye {
 
     @Override
     public void look(Views views, int count) {
-        double[] xs = views.x;
-        double[] ys = views.y;
-        double[] dxs = views.dx;
-        double[] dys = views.dy;
-        double[] dzs = views.dz;
+        along(views.x, perColumn, views.u, count);
+        down(views.y, perRow, views.v, count);
+        views.directions.combine(forward, views.u, across, views.v, upwards, count);
+        views.directions.normalize(views.lengths, count);
+    }
+
+    private static void along(double[] x, double perColumn, double[] u, int count) {
         for (int i = 0; i < count; i++) {
-            double dx = directionX(xs[i], ys[i]);
-            double dy = directionY(xs[i], ys[i]);
-            double dz = directionZ(xs[i], ys[i]);
-            double k = 1 / Math.sqrt(dx * dx + dy * dy + dz * dz);
-            dxs[i] = dx * k;
-            dys[i] = dy * k;
-            dzs[i] = dz * k;
+            u[i] = x[i] * perColumn - 0.5;
+        }
+    }
+
+    private static void down(double[] y, double perRow, double[] v, int count) {
+        for (int i = 0; i < count; i++) {
+            v[i] = 0.5 - y[i] * perRow;
         }
     }
 

@@ -135,6 +135,10 @@ abstract class BlockTracer extends Shading {
         }
         primary += rays;
         lighting.starts.prepare(first, rays);
+        if (lighting.ofBlocks.isPresent()) {
+            shade(first, rays, lighting.ofBlocks.get());
+            return;
+        }
         boolean isRandom = lighting.isRandom();
         for (int i = 0; i < rays; i++) {
             if (isRandom) {
@@ -142,6 +146,20 @@ abstract class BlockTracer extends Shading {
                 sampler.start(x + pixel % width, y + pixel / width, sample + i % perPixel);
             }
             shade(first[i], 0);
+        }
+    }
+
+    /** Finds the light of rays of which is known what they hit, that of lights for all hits at once. */
+    private void shade(Level[] first, int rays, BlockLighting light) {
+        for (int i = 0; i < rays; i++) {
+            arrive(first[i]);
+        }
+        light.illuminate(first, rays);
+        for (int i = 0; i < rays; i++) {
+            if (first[i].ray.part >= 0) {
+                scatter(first[i], 0, first[i].finish);
+                leave(first[i]);
+            }
         }
     }
 

@@ -64,7 +64,8 @@ final class Lighting {
     private final Veils veils;
     private final Spans spans;
     private final Ray shadow;
-    private final Arrival arrival = new Arrival();
+    /** What arrives of the light that is looked for. */
+    final Arrival arrival = new Arrival();
     /** What last stood between a point and each light, by level of recursion and light: likely to stand there again. */
     private final @Nullable Surface[] lastOccluder;
     /** What a path last asked the sampler, likewise: of many lights, by the last digits of that. */
@@ -84,6 +85,8 @@ final class Lighting {
     /** Of a path, how it goes on. */
     final Choice choice;
     private final boolean[] isSeen;
+    /** What lights the hits of a block at once; empty if more is asked of light than that. */
+    final Optional<BlockLighting> ofBlocks;
     private boolean isStrewing;
     /** What the light that was last looked for brings along its shadow ray. */
     private double red;
@@ -127,6 +130,7 @@ final class Lighting {
         for (int i = 0; i < lamps.length; i++) {
             isSeen[i] = i >= scene.lamps().length || glows.show(i);
         }
+        this.ofBlocks = isRandom || dims || !glows.areNone() || witness.getClass() != Witness.class ? Optional.empty() : BlockLighting.of(this, lamps);
     }
 
     /** Whether something is random at a hit, points of a light or what becomes of a ray: then the sampler is to be started before each hit is lit. */
@@ -340,7 +344,13 @@ final class Lighting {
         return share > 0 && glows.occludes(shadow, light) ? 0 : share;
     }
 
-    private double visibility(int depth, int light, Level level) {
+    /** Whether nothing can stand between a light and the hits of the block. */
+    boolean isClear(int light) {
+        return bodies.isClear(starts.of(0, light));
+    }
+
+    /** Looks what stands in the way of the arrival, on the side a surface was seen from: the share of it that is let through. */
+    double visibility(int depth, int light, Level level) {
         rays++;
         Entries among = starts.of(depth, light);
         if (glows.areNone() && bodies.isClear(among) && !dims) {

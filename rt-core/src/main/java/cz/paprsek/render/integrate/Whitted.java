@@ -32,7 +32,7 @@ public class Whitted extends BlockTracer {
 
     @Override
     final void scatter(Level level, int depth, Finish finish) {
-        if (finish.isLit()) {
+        if (finish.isLit() && !level.isIlluminated) {
             lighting.illuminate(depth, level, finish);
         }
         if (depth + 1 < levels.length && (finish.reflection > 0 || finish.transparency > 0)) {

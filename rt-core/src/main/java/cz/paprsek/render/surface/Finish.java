@@ -4,8 +4,10 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.math.Affine;
+import cz.paprsek.render.lanes.Lanes;
 import cz.paprsek.render.texture.Textures;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** A material ready for shading: never changed, but for that of a level, which says what it is at one point. */
@@ -204,5 +206,30 @@ public final class Finish {
             factor *= factor;
         }
         return result;
+    }
+
+    /**
+     * The same of many at once, in plain loops.
+     *
+     * @param cosines of the first so many; they are changed, but for those that are not numbers
+     * @param results receives as many; of what is not a number, that
+     */
+    public void highlights(double[] cosines, double[] results, int count) {
+        if (wholeShininess <= 0 || specular == 0) {
+            for (int i = 0; i < count; i++) {
+                results[i] = highlight(cosines[i]);
+            }
+            return;
+        }
+        Arrays.fill(results, 0, count, specular);
+        for (int i = 0; i < count; i++) {
+            cosines[i] = Math.max(0, cosines[i]);
+        }
+        for (int n = wholeShininess; n > 0; n >>= 1) {
+            if ((n & 1) != 0) {
+                Lanes.multiply(results, cosines, count);
+            }
+            Lanes.multiply(cosines, cosines, count);
+        }
     }
 }

@@ -32,6 +32,8 @@ public final class Level {
     public boolean beyond;
     /** Whether lights that the ray sees have been counted where it starts. */
     public boolean isLit;
+    /** Whether what lights bring to the hit has been added, together with the others of a block of rays from the eye. */
+    public boolean isIlluminated;
     /** Of such a ray of a path, how probable its direction was, per solid angle. */
     public double density;
     /** Of such a ray of a path, which share it brings of the light that the surface it meets gives off. */
