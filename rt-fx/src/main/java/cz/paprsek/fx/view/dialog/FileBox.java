@@ -11,6 +11,7 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import javafx.scene.control.Alert;
+import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBar.ButtonData;
 import javafx.scene.control.ButtonType;
 import javafx.stage.FileChooser;
@@ -56,6 +57,9 @@ public final class FileBox {
         Alert alert = new Alert(Alert.AlertType.CONFIRMATION, texts.of("dialog.replace.text"), replace, no);
         alert.setTitle("Paprsek");
         alert.setHeaderText(texts.of("dialog.replace.header", file.getFileName()));
+        // Who presses Enter once more than needed keeps what is there.
+        ((Button) alert.getDialogPane().lookupButton(replace)).setDefaultButton(false);
+        ((Button) alert.getDialogPane().lookupButton(no)).setDefaultButton(true);
         return Deaf.ask(alert, owner).filter(replace::equals).isPresent();
     }
 
