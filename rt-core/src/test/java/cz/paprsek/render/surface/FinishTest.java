@@ -14,7 +14,7 @@ class FinishTest {
     @CsvSource({"0, 0.5", "1, 0.5", "2, 1", "7, 0", "49.5, 0.5", "50, 0.5", "1000000, 1"})
     void highlightsOfManyAreThoseOfEach(double exponent, double strength) {
         Finish finish = new Finish(Material.DEFAULT.withHighlight(strength, exponent), Affine.IDENTITY, new Textures(Assets.none()));
-        double[] cosines = {1, 1.4, 0.7, 5e-324, 0, -0.0, -1, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 0.3, 0.999};
+        double[] cosines = {1, 1.4, 0.7, Double.MIN_VALUE, 0, -0.0, -1, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 0.3, 0.999};
         double[] results = new double[cosines.length];
         finish.highlights(cosines.clone(), results, cosines.length);
         for (int i = 0; i < cosines.length; i++) {
