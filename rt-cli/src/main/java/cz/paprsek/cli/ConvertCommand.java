@@ -7,6 +7,7 @@ import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.MixWishes;
 import cz.paprsek.cli.input.MixWishes.Mixed;
+import cz.paprsek.cli.input.Originals;
 import cz.paprsek.cli.input.ParameterWishes;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.output.Writing;
@@ -148,7 +149,7 @@ final class ConvertCommand implements Callable<Integer> {
             return ExitCode.BAD_SCENE;
         }
         try {
-            refuseItself("picture");
+            Originals.spare(target, "the new file", "the picture", List.of(scene));
             // Light that is mixed is exposed and toned as the picture was, if not otherwise: its own options follow.
             ImageOptions how = read.toldIn(shown.applyTo(writing.options().withExposure(read.written().exposure()).withTone(read.written().tone())));
             boolean isLayered = format == ImageFormat.EXR && !read.layers().names().isEmpty();
@@ -168,12 +169,6 @@ final class ConvertCommand implements Callable<Integer> {
             return ExitCode.FAILED;
         } catch (IllegalArgumentException refused) {
             throw new WrongUsage(String.valueOf(refused.getMessage()));
-        }
-    }
-
-    private void refuseItself(String kind) throws IOException {
-        if (Files.exists(target) && Files.exists(scene) && Files.isSameFile(scene, target)) {
-            throw new WrongUsage("the new file would overwrite the " + kind + " " + scene + " itself");
         }
     }
 
@@ -199,7 +194,7 @@ final class ConvertCommand implements Callable<Integer> {
     private int write(SceneReading reading, Scene content, String ending) {
         List<String> warnings = new ArrayList<>();
         try {
-            refuseItself("scene");
+            Originals.spare(target, "the new file", "the scene", List.of(scene));
             stop.write(target, () -> {
                 switch (ending) {
                     case "pov" -> {

@@ -1,9 +1,8 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.input.Originals;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.value.Words;
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
@@ -16,16 +15,19 @@ final class Evidence {
 
     /**
      * @param wish a file, or a directory, which ends in /; empty for no evidence
-     * @throws WrongUsage if two pictures would have the same file, or one would be written over
+     * @throws WrongUsage if two pictures would have the same file, or one, or the scene, would be written over
      */
-    Evidence(Optional<String> wish, List<Path> pictures) {
+    Evidence(Optional<String> wish, Path scene, List<Path> pictures) {
         wish.ifPresent(place -> {
             boolean isFolder = place.endsWith("/");
             if (pictures.size() > 1 && !isFolder) {
                 throw new WrongUsage("evidence of " + pictures.size() + " pictures does not fit into " + place + "; name a directory that ends in /");
             }
             pictures.forEach(picture -> add(picture, isFolder ? Path.of(place, stem(picture) + ".png") : Words.path(place)));
-            targets.values().forEach(target -> pictures.forEach(picture -> refuseOver(picture, target)));
+            for (Path target : targets.values()) {
+                Originals.spare(target, "evidence", "the picture", pictures);
+                Originals.spare(target, "evidence", "the scene", List.of(scene));
+            }
         });
     }
 
@@ -36,21 +38,6 @@ final class Evidence {
             }
         });
         targets.put(picture, target);
-    }
-
-    /** Over no picture that is graded, its own or another's. */
-    private static void refuseOver(Path picture, Path target) {
-        if (isSame(target, picture)) {
-            throw new WrongUsage("evidence would be written over " + picture + "; name another place");
-        }
-    }
-
-    private static boolean isSame(Path target, Path picture) {
-        try {
-            return Files.exists(target) ? Files.isSameFile(target, picture) : target.toAbsolutePath().normalize().equals(picture.toAbsolutePath().normalize());
-        } catch (IOException notThere) {
-            return false;
-        }
     }
 
     /** The file's name without what says its format. */

@@ -4,6 +4,7 @@ import cz.paprsek.cli.input.ChosenScene;
 import cz.paprsek.cli.input.FrameChoice;
 import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.MistakeWishes;
+import cz.paprsek.cli.input.Originals;
 import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.input.Wishes;
@@ -39,6 +40,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
@@ -132,6 +134,7 @@ final class ExplainCommand implements Callable<Integer> {
         if (json) {
             stop.oweLastWords();
         }
+        svg.ifPresent(drawing -> Originals.spare(drawing, "the drawing", "the scene", List.of(file)));
         Wishes wishes = new Wishes(size, maxDepth, rays, light, Optional.empty(), Optional.empty());
         try {
             Scene scene = frame.of(chosen.of(file));

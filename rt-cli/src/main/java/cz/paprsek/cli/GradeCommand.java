@@ -81,7 +81,7 @@ final class GradeCommand implements Callable<Integer> {
             throw new WrongUsage("--csv and --json are two forms of the same; say one");
         }
         List<Path> files = GradedPictures.files(words);
-        Evidence drawn = new Evidence(evidence, files);
+        Evidence drawn = new Evidence(evidence, file, files);
         try {
             Scene scene = chosen.of(file);
             Assets assets = chosen.pictures().read(file, scene);

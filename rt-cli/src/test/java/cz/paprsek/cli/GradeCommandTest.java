@@ -105,9 +105,9 @@ class GradeCommandTest {
         assertThat(folder.resolve("why/a.png")).exists();
         picture("a.png", "flip-x");
         assertThat(Run.cli("grade", scene, folder, "--evidence", folder.resolve("both") + "/").err()).contains("would both be", "a.png; grade them one by one\n");
-        assertThat(Run.cli("grade", scene, folder.resolve("a.png"), "--evidence", folder + "/").err()).contains("evidence would be written over " + folder.resolve("a.png") + "; name another place\n");
+        assertThat(Run.cli("grade", scene, folder.resolve("a.png"), "--evidence", folder + "/").err()).contains("evidence would overwrite the picture " + folder.resolve("a.png") + "; name another place\n");
         Path link = Files.createSymbolicLink(folder.resolve("link.png"), folder.resolve("a.png"));
-        assertThat(Run.cli("grade", scene, folder.resolve("a.png"), "--evidence", link).err()).contains("evidence would be written over " + folder.resolve("a.png"));
+        assertThat(Run.cli("grade", scene, folder.resolve("a.png"), "--evidence", link).err()).contains("evidence would overwrite the picture " + folder.resolve("a.png"));
     }
 
     @Test

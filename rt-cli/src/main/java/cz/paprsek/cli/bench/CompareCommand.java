@@ -1,6 +1,7 @@
 package cz.paprsek.cli.bench;
 
 import cz.paprsek.cli.input.Foreign;
+import cz.paprsek.cli.input.Originals;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
@@ -15,6 +16,7 @@ import cz.paprsek.io.Json;
 import cz.paprsek.text.Numbers;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -74,6 +76,7 @@ public final class CompareCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         tolerance.ifPresent(steps -> require(steps >= 0, "--tolerance must be 0 or above, but is " + Numbers.text(steps)));
+        heatmap.ifPresent(map -> Originals.spare(map, "the heat map", "the picture", List.of(first, second)));
         Optional<StoredImage> a = read(first);
         Optional<StoredImage> b = read(second);
         if (a.isEmpty() || b.isEmpty()) {

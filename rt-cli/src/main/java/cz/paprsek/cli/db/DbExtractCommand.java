@@ -2,6 +2,7 @@ package cz.paprsek.cli.db;
 
 import cz.paprsek.cli.input.FileNames;
 import cz.paprsek.cli.input.Incoming;
+import cz.paprsek.cli.input.Originals;
 import cz.paprsek.cli.output.Targets;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
@@ -80,6 +81,7 @@ final class DbExtractCommand extends DbAction {
             files.put(target, scene);
         }
         for (Path target : files.keySet()) {
+            Originals.spare(target, "the scene", "the database", List.of(choice.file()));
             Folders.makeFor(target);
         }
         return files;

@@ -10,6 +10,7 @@ import cz.paprsek.shape.Mesh;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -48,6 +49,12 @@ public final class Pictures {
                 assets.bytes(name);
             }
         }
+    }
+
+    /** Those that have been read for the scenes of a file. */
+    public List<Path> files(Path file, Assets read) {
+        Path beside = Incoming.isOnce(file) ? Path.of("") : file.resolveSibling("");
+        return read.digests().keySet().stream().map(name -> folder.orElse(beside).resolve(name)).toList();
     }
 
     /** The pictures beside the files of meshes that show the materials of these, and for each the first such mesh; those within the files are there. */

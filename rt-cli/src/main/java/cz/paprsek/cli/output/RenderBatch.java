@@ -1,6 +1,7 @@
 package cz.paprsek.cli.output;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.cli.input.Originals;
 import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.input.Wishes;
@@ -142,6 +143,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         }
         try {
             if (target.file().isPresent()) {
+                spare(target, assets);
                 Room.checkDisk(target.file().get(), view.written(target.format()).leastBytes(width, height));
             }
             if (options.isInPasses() && progress != Progress.Maker.SILENT) {
@@ -176,6 +178,11 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
             return fail(target, Outcome.FAILED, List.of(tooLarge));
         }
         return Outcome.DONE;
+    }
+
+    /** @throws WrongUsage if the picture would be written over one of the pictures that it shows */
+    private void spare(Target target, Assets assets) {
+        target.file().ifPresent(file -> Originals.spare(file, "the picture of " + target.source().label(), "the scene's own", pictures.files(target.source().file(), assets)));
     }
 
     /** A picture that does not move. */

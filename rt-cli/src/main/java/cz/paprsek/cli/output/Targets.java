@@ -1,5 +1,6 @@
 package cz.paprsek.cli.output;
 
+import cz.paprsek.cli.input.Originals;
 import cz.paprsek.cli.input.SceneSource;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.value.Words;
@@ -112,12 +113,12 @@ public record Targets(Optional<String> output, Optional<ImageFormat> format, boo
 
     private void check(List<Target> targets) {
         Map<Path, Path> taken = new HashMap<>();
-        targets.forEach(target -> taken.put(absolute(target.scene()), target.scene()));
+        targets.forEach(target -> taken.put(Originals.real(target.scene()), target.scene()));
         for (Target target : targets) {
             target.file().ifPresent(file -> {
-                Path other = taken.put(absolute(file), target.scene());
+                Path other = taken.put(Originals.real(file), target.scene());
                 if (other != null) {
-                    throw new WrongUsage(absolute(other).equals(absolute(file))
+                    throw new WrongUsage(Originals.real(other).equals(Originals.real(file))
                             ? "the picture of " + target.scene() + " would overwrite the scene " + other
                             : other + " and " + target.scene() + " would both be rendered to " + file + "; " + apart(other, target));
                 }
@@ -128,7 +129,7 @@ public record Targets(Optional<String> output, Optional<ImageFormat> format, boo
 
     /** How two scenes would get pictures of their own. */
     private String apart(Path other, Target target) {
-        boolean isElsewhere = !Objects.equals(absolute(other).getParent(), absolute(target.scene()).getParent());
+        boolean isElsewhere = !Objects.equals(Originals.real(other).getParent(), Originals.real(target.scene()).getParent());
         if (isElsewhere && !shown().contains(FOLDER)) {
             String folder = shown().isEmpty() || shown().endsWith("/") ? shown() : shown() + "/";
             return isPattern() ? "put " + FOLDER + " into the output, which stands for the scene's folder"
@@ -167,14 +168,5 @@ public record Targets(Optional<String> output, Optional<ImageFormat> format, boo
 
     private String shown() {
         return output.orElse("");
-    }
-
-    /** Where a file really is, as far as it is there: two names may lead to one. */
-    private static Path absolute(Path file) {
-        try {
-            return file.toRealPath();
-        } catch (IOException none) {
-            return file.toAbsolutePath().normalize();
-        }
     }
 }
