@@ -238,6 +238,10 @@ final class MainWindow {
 
     private void showLesson() {
         lesson.ifPresent(LessonPane::close);
+        if (editor.lessons().currentProperty().get().isPresent()) {
+            // A lesson asks for numbers before it shows them: an explanation of the one before would have them already.
+            views.explaining().onProperty().set(false);
+        }
         lesson = editor.lessons().currentProperty().get().map(held -> new LessonPane(held, editor.lessons(), editor.model(), editor.texts(), views.explaining()::explain));
         columns.teach(lesson.map(pane -> pane));
     }

@@ -145,6 +145,8 @@ class LessonsInEditorTest {
         editor.gui.act(() -> ((Button) editor.gui.stage().getScene().lookup("#lesson-look-" + look)).fire());
         editor.gui.until("the pixel is explained", () -> text("#explain-title").equals("Pixel 85, 50"));
         assertThat(Gui.on(() -> Optional.ofNullable(editor.gui.stage().getScene().lookup("#lesson-pane")))).isPresent();
+        editor.gui.click("#lesson-next");
+        assertThat(Gui.on(() -> Optional.ofNullable(editor.gui.stage().getScene().lookup("#explain-title")))).as("the next lesson asks first").isEmpty();
     }
 
     /** In a narrow window a lesson stands in the place of palette and tree; all four columns are in a wide one. */
