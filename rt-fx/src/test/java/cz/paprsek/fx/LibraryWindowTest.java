@@ -229,6 +229,14 @@ class LibraryWindowTest {
         assertThat(Gui.on(() -> table.getColumns().stream().map(TableColumn::getText).toList())).as("read aloud").contains("Poloha", "Druh");
         assertThat(shown).contains("Poloha", "Druh", "koule", "-3,1 0,8 -0,4").doesNotContain("kind", "Position", "sphere", "-3.1 0.8 -0.4");
         assertThat(Gui.on(() -> ((ChoiceBox<?>) gui.node("#library-table")).lookup(".label"))).isInstanceOfSatisfying(Labeled.class, label -> assertThat(label.getText()).isEqualTo("Objekty a operandy"));
+        int rows = Gui.on(() -> table.getItems().size());
+        type("#library-filter", "KOULE glass");
+        gui.until("what is shown is found", () -> !table.getItems().isEmpty() && table.getItems().size() != rows);
+        int found = Gui.on(() -> table.getItems().size());
+        type("#library-filter", "");
+        gui.until("all is there again", () -> table.getItems().size() > found);
+        type("#library-filter", "sphere glass");
+        gui.until("and so is what files call it", () -> table.getItems().size() == found);
         type("#library-filter", "positio > 1");
         assertThat(textNow("#library-problem")).startsWith("znak 1: ").contains("nemyslíte \"position\"?").doesNotContain("there");
     }

@@ -14,8 +14,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BiFunction;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
@@ -27,7 +29,7 @@ import javafx.util.Subscription;
 
 /**
  * The rows of a table that match what is typed, in order: a filter of the filter language, or words, which are looked for in all texts of a
- * row. They are found on another thread; there may be a million.
+ * row, as files have them and as they are shown. They are found on another thread; there may be a million.
  *
  * @param <R> the row
  */
@@ -37,6 +39,7 @@ public final class LibraryRows<R> implements AutoCloseable {
 
     private final Library library;
     private final Relation<Scene, R> relation;
+    private final BiFunction<Column<R>, Value, String> shown;
     private final Executor background;
     private final Executor foreground;
     private final ReadOnlyObjectWrapper<List<R>> rows = new ReadOnlyObjectWrapper<>(List.of());
@@ -53,12 +56,14 @@ public final class LibraryRows<R> implements AutoCloseable {
     /**
      * The rows of a table of the database that is open.
      *
+     * @param shown what the user reads in a cell, on any thread
      * @param background runs one task after the other
      * @param foreground runs tasks on JavaFX's thread
      */
-    public LibraryRows(Library library, Relation<Scene, R> relation, Executor background, Executor foreground) {
+    public LibraryRows(Library library, Relation<Scene, R> relation, BiFunction<Column<R>, Value, String> shown, Executor background, Executor foreground) {
         this.library = library;
         this.relation = relation;
+        this.shown = shown;
         this.background = background;
         this.foreground = foreground;
         subscription = Subscription.combine(library.databaseProperty().subscribe(database -> update()), filter.subscribe(typed -> update()));
@@ -152,8 +157,12 @@ public final class LibraryRows<R> implements AutoCloseable {
         List<String> words = Arrays.asList(typed.strip().toLowerCase(Locale.ROOT).split("\\s+", -1));
         List<Column<R>> texts = table().columns().stream().filter(column -> column.type() == Column.Type.TEXT).toList();
         return row -> {
-            String all = String.join("\n", texts.stream().map(column -> column.cell(row).text().toLowerCase(Locale.ROOT)).toList());
+            String all = texts.stream().map(column -> words(column, column.cell(row))).collect(Collectors.joining("\n")).toLowerCase(Locale.ROOT);
             return words.stream().allMatch(all::contains);
         };
+    }
+
+    private String words(Column<R> column, Value cell) {
+        return cell.text() + "\n" + shown.apply(column, cell);
     }
 }

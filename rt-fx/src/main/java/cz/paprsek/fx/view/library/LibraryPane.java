@@ -75,7 +75,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
         messages = new LibraryMessages(texts);
         this.files = files;
         actions = new LibraryActions(library, store, selection, desk, texts, files, messages);
-        scenes = new LibraryRows<>(library, SceneTables.scenes(), searcher, Platform::runLater);
+        scenes = new LibraryRows<>(library, SceneTables.scenes(), (column, value) -> "", searcher, Platform::runLater);
         scenes.filterProperty().bind(search.textProperty());
         grid = new SceneGrid(thumbnails, selection, desk::open);
         details = new SceneDetails(library, selection, texts, messages, actions);

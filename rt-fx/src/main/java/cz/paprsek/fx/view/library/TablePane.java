@@ -75,7 +75,7 @@ final class TablePane extends BorderPane implements AutoCloseable {
 
     private <R> void show(Relation<Scene, R> relation) {
         close();
-        LibraryRows<R> rows = new LibraryRows<>(library, relation, searcher, Platform::runLater);
+        LibraryRows<R> rows = new LibraryRows<>(library, relation, words::cell, searcher, Platform::runLater);
         current = rows;
         List<Column<R>> columns = relation.table().columns();
         TableView<R> view = new TableView<>();

@@ -53,7 +53,7 @@ class LibraryTest {
     }
 
     private <R> String rows(Relation<Scene, R> relation, String filter) {
-        try (LibraryRows<R> rows = new LibraryRows<>(library, relation, Runnable::run, Runnable::run)) {
+        try (LibraryRows<R> rows = new LibraryRows<>(library, relation, (column, value) -> "", Runnable::run, Runnable::run)) {
             rows.filterProperty().set(filter);
             assertThat(rows.problemProperty().get()).isEmpty();
             return rows.rows().stream().map(row -> {
@@ -73,7 +73,7 @@ class LibraryTest {
     }
 
     private <R> void explained(Relation<Scene, R> relation, String filter, String where, String words) {
-        try (LibraryRows<R> rows = new LibraryRows<>(library, relation, Runnable::run, Runnable::run)) {
+        try (LibraryRows<R> rows = new LibraryRows<>(library, relation, (column, value) -> "", Runnable::run, Runnable::run)) {
             int before = rows.rows().size();
             rows.filterProperty().set(filter);
             if (!rows.problemProperty().get().isEmpty()) {
@@ -87,7 +87,7 @@ class LibraryTest {
 
     @Test
     void wordsAreLookedForInAllTexts() {
-        try (LibraryRows<Scene> rows = new LibraryRows<>(library, SceneTables.scenes(), Runnable::run, Runnable::run)) {
+        try (LibraryRows<Scene> rows = new LibraryRows<>(library, SceneTables.scenes(), (column, value) -> "", Runnable::run, Runnable::run)) {
             rows.filterProperty().set("BALL glass");
             assertThat(rows.rows()).extracting(Scene::name).containsExactly("Glass \"A\"");
             rows.filterProperty().set("still");
