@@ -236,6 +236,7 @@ final class RenderJob implements Workers.Work {
         try {
             Denoiser denoiser = new Denoiser(film, image, options.paths(), options.kept(scene.scene()), this::cancelled);
             if (options.denoised()) {
+                monitor.denoising();
                 return denoiser.run(workers, options.threads());
             }
             Optional<List<float[]>> told = denoiser.tell(workers, options.threads());

@@ -57,6 +57,9 @@ public interface RenderMonitor {
         return true;
     }
 
+    /** All that is wanted is traced, and its noise is being taken out from now on; not called if that is not wished. Called by the thread that waits for the picture. */
+    default void denoising() {}
+
     /** One that asks and tells another one all that it does not answer itself. */
     interface PassingOn extends RenderMonitor {
         /** The other one. */
@@ -90,6 +93,11 @@ public interface RenderMonitor {
         @Override
         default boolean passed(Image image, Supplier<Layers> layers, int passes) {
             return own().passed(image, layers, passes);
+        }
+
+        @Override
+        default void denoising() {
+            own().denoising();
         }
     }
 }

@@ -24,7 +24,9 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Sphere;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -220,6 +222,28 @@ class DenoiserTest {
         });
         assertThat(stopped.outcome()).isEqualTo(RenderResult.Outcome.CANCELLED);
         assertThat(Thread.interrupted()).as("nobody has interrupted").isFalse();
+    }
+
+    @Test
+    void whoListensIsToldWhenNoMoreIsTracedAndNoiseIsTakenOut() {
+        assertThat(told(options().withDenoiser())).endsWith("finished", "denoising").containsOnlyOnce("denoising");
+        assertThat(told(options())).containsOnly("finished");
+    }
+
+    private static List<String> told(RenderOptions options) {
+        List<String> told = Collections.synchronizedList(new ArrayList<>());
+        Renderer.render(RenderScene.of(BALL), options, new RenderMonitor() {
+            @Override
+            public void finished(Tile tile, Image image, int done, int total) {
+                told.add("finished");
+            }
+
+            @Override
+            public void denoising() {
+                told.add("denoising");
+            }
+        });
+        return told;
     }
 
     @Test

@@ -6,10 +6,12 @@ package cz.paprsek.fx.view.render;
  * @param done tiles finished
  * @param total tiles in all; 0 as long as that is not known
  * @param elapsedSeconds since the beginning
+ * @param tracingSeconds of these, until the noise began to be taken out
  * @param rays traced so far, of all kinds
  * @param isEven whether the other tiles may be thought to take as long as those that are finished
+ * @param isDenoising whether all is traced, and the noise is being taken out or has been
  */
-record RenderProgress(int done, int total, double elapsedSeconds, long rays, boolean isEven) {
+record RenderProgress(int done, int total, double elapsedSeconds, double tracingSeconds, long rays, boolean isEven, boolean isDenoising) {
 
     /** 0–1. */
     double share() {
@@ -22,6 +24,6 @@ record RenderProgress(int done, int total, double elapsedSeconds, long rays, boo
     }
 
     double raysPerSecond() {
-        return elapsedSeconds > 0 ? rays / elapsedSeconds : 0;
+        return tracingSeconds > 0 ? rays / tracingSeconds : 0;
     }
 }

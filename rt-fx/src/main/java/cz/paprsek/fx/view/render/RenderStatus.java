@@ -19,8 +19,9 @@ final class RenderStatus {
     String of(Worker.State state, RenderProgress progress, Optional<Certainty> certainty, Optional<Throwable> fault) {
         return switch (state) {
             case READY, SCHEDULED -> texts.of("render.waiting");
-            case RUNNING -> texts.of("render.running",
-                    percent(progress), time(progress.elapsedSeconds()), time(progress.remainingSeconds()), speed(progress));
+            case RUNNING -> progress.isDenoising()
+                    ? texts.of("render.denoising", time(progress.elapsedSeconds()))
+                    : texts.of("render.running", percent(progress), time(progress.elapsedSeconds()), time(progress.remainingSeconds()), speed(progress));
             case SUCCEEDED -> texts.of("render.done", time(progress.elapsedSeconds()), speed(progress)) + certainty.map(this::known).orElse("");
             case CANCELLED -> texts.of("render.cancelled", percent(progress), time(progress.elapsedSeconds()));
             case FAILED -> texts.of("render.failed", fault.map(Failures::sentence).map(texts::sentence).orElse(""));
@@ -29,7 +30,12 @@ final class RenderStatus {
 
     /** How far a render is that has not ended. */
     String inShort(Worker.State state, RenderProgress progress) {
-        return state == Worker.State.RUNNING ? texts.of("render.queue.running", percent(progress), time(progress.remainingSeconds())) : texts.of("render.waiting");
+        if (state != Worker.State.RUNNING) {
+            return texts.of("render.waiting");
+        }
+        return progress.isDenoising()
+                ? texts.of("render.denoising", time(progress.elapsedSeconds()))
+                : texts.of("render.queue.running", percent(progress), time(progress.remainingSeconds()));
     }
 
     private String known(Certainty certainty) {

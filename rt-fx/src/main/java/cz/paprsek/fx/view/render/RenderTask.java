@@ -44,6 +44,8 @@ final class RenderTask extends Task<RenderResult> {
     private volatile long began;
     private volatile int done;
     private volatile int total;
+    /** When the noise began to be taken out; 0 before. */
+    private volatile long traced;
     private volatile long ended;
     private volatile @Nullable RenderScene prepared;
     private volatile @Nullable Image image;
@@ -197,8 +199,14 @@ final class RenderTask extends Task<RenderResult> {
     /** How far it is by now. */
     RenderProgress progress() {
         long now = ended == 0 ? System.nanoTime() : ended;
-        double earlier = before.map(task -> task.progress().elapsedSeconds()).orElse(0.0);
-        return new RenderProgress(done, total, earlier + (began == 0 ? 0 : (now - began) / 1e9), rays.get(), !options.isInPasses() || !options.settings().isAdaptive());
+        Optional<RenderProgress> earlier = before.map(RenderTask::progress);
+        return new RenderProgress(done, total, earlier.map(RenderProgress::elapsedSeconds).orElse(0.0) + secondsUntil(now),
+                earlier.map(RenderProgress::tracingSeconds).orElse(0.0) + secondsUntil(traced == 0 ? now : traced),
+                rays.get(), !options.isInPasses() || !options.settings().isAdaptive(), traced != 0);
+    }
+
+    private double secondsUntil(long time) {
+        return began == 0 ? 0 : (time - began) / 1e9;
     }
 
     private final class Monitor implements RenderMonitor {
@@ -225,6 +233,11 @@ final class RenderTask extends Task<RenderResult> {
             countUpTo(Math.min(tilesTotal, doneBefore + tilesDone));
             buffer.paint(underWay, tile, 1, how());
             noisy.ifPresent(before -> before.paint(underWay, tile, 1, how()));
+        }
+
+        @Override
+        public void denoising() {
+            traced = System.nanoTime();
         }
     }
 

@@ -87,6 +87,9 @@ class FinishedPicturesTest {
         gui.click("#render-start");
         untilDone();
         assertThat(shown().task().options()).isEqualTo(RenderOptions.of(PATHS).withDenoiser());
+        RenderProgress done = shown().task().progress();
+        assertThat(done.tracingSeconds()).as("rays are not traced while the noise is taken out").isPositive().isLessThan(done.elapsedSeconds());
+        assertThat(done.raysPerSecond()).isEqualTo(done.rays() / done.tracingSeconds());
         Image clean = Renderer.render(RenderScene.of(SCENE), RenderOptions.of(PATHS).withDenoiser(), RenderMonitor.NONE).image();
         Image noisy = Renderer.render(SCENE);
         assertThat(shown().task().image().orElseThrow().toLinear()).isEqualTo(clean.toLinear()).isNotEqualTo(noisy.toLinear());
