@@ -13,13 +13,13 @@ public final class Arrival {
     public double green;
     public double blue;
 
-    /** Turns to a point of the world, where it ends. */
+    /** Turns to a point of the world, where it ends. If both are in one place, as far as numbers tell, the way has no direction: all of it is 0. */
     public void towards(Hit from, double pointX, double pointY, double pointZ) {
         double lx = pointX - from.px;
         double ly = pointY - from.py;
         double lz = pointZ - from.pz;
         double length = Math.sqrt(lx * lx + ly * ly + lz * lz);
-        double k = 1 / length;
+        double k = length > 0 ? 1 / length : 0;
         x = lx * k;
         y = ly * k;
         z = lz * k;

@@ -21,6 +21,7 @@ import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SphereLight;
+import cz.paprsek.scene.SpotLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
@@ -62,6 +63,25 @@ class TreeTextTest {
 
     private static String text(Scene scene, double smallestShare) {
         return String.join("\n", TreeText.lines(RenderScene.of(scene).explain(0, 0), smallestShare, Decoration.NONE));
+    }
+
+    static Stream<Light> inTheHit() {
+        Vec3 near = new Vec3(1e-170, -1e-170, 1e-170);
+        return Stream.of(Light.at(0, 0, 0), Light.at(near.x(), near.y(), near.z()), Light.at(0, 0, 0).withReferenceDistance(2), SpotLight.from(near, new Vec3(0, 0, -1)),
+                SpotLight.from(Vec3.ZERO, new Vec3(0, 0, 1)));
+    }
+
+    /** A light in the very point that is seen sheds nothing there; the way to it has no direction. */
+    @ParameterizedTest
+    @MethodSource("inTheHit")
+    void aLightInTheHitIsSaidToBeThere(Light light) {
+        Material matt = Material.color(Rgb.WHITE).withHighlight(0.5, 20);
+        for (Material material : List.of(matt, matt.withReflection(0.5).withRoughness(0.3))) {
+            Scene scene = Scene.EMPTY.withSettings(new RenderSettings(1, 1, 3, 1)).withCamera(Camera.looking(new Vec3(0, 0, 5), new Vec3(0, 0, -1)))
+                    .plus(light.named("lamp")).plus(SceneObject.of(new Rectangle(-1, -1, 1, 1)).madeOf(material));
+            assertThat(text(scene, 0.1)).contains("the light stands in this point itself: nothing");
+            assertThat(RenderScene.of(scene).explain(0, 0).light().red()).isZero();
+        }
     }
 
     @Test

@@ -125,7 +125,7 @@ final class BlockLighting {
         boolean isClear = lighting.isClear(light);
         for (int i = 0; i < count; i++) {
             double visibility = 0;
-            if (diffuse[i] > 0) {
+            if (diffuse[i] > 0 && distances[i] > 0) {
                 visibility = isClear ? clear() : visibility(light, i);
             }
             if (!(visibility > 0)) {

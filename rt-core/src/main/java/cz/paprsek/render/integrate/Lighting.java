@@ -241,8 +241,10 @@ final class Lighting {
     }
 
     /** Looks along one shadow ray, that of the arrival: whether it brings anything. */
-    private boolean look(int depth, int light, boolean shines, Level level, Finish finish) {
+    private boolean look(int depth, int light, boolean sends, Level level, Finish finish) {
         Hit hit = level.hit;
+        // What stands where the hit is lights nothing there: the way to it has no direction.
+        boolean shines = sends && arrival.distance != 0;
         double facing = hit.sx * arrival.x + hit.sy * arrival.y + hit.sz * arrival.z;
         if (level.isBent) {
             facing = Bent.facing(hit, arrival, facing);

@@ -25,7 +25,7 @@ record LightSteps(Encounter met, LightTerm term, Words words, List<Step> steps) 
         step(words.of("name.light", term.label()), ray.target().map(point -> words.of("towards", Figures.of(point))).orElse("L"), "", Figures.of(ray.direction()));
         step("", "N·L", Figures.of(met.place().towardsViewer()) + "·" + Figures.of(ray.direction()), Figures.of(ray.facing()));
         if (!ray.isSent()) {
-            steps.add(Step.saying(Topic.SHADOW, "", words.of(ray.facing() > 0 ? "shines-elsewhere" : "turned-away")));
+            steps.add(Step.saying(Topic.SHADOW, "", nothing(ray)));
             return;
         }
         ray.obstacles().forEach(this::obstacle);
@@ -36,6 +36,11 @@ record LightSteps(Encounter met, LightTerm term, Words words, List<Step> steps) 
         if (ray.visibility() > 0) {
             shine(ray);
         }
+    }
+
+    /** Why none of the light is looked for. */
+    private String nothing(ShadowRay ray) {
+        return words.of(ray.distance() == 0 ? "in-one-place" : ray.facing() > 0 ? "shines-elsewhere" : "turned-away");
     }
 
     /** What the substances on the way leave; of several, the product. */
@@ -85,7 +90,7 @@ record LightSteps(Encounter met, LightTerm term, Words words, List<Step> steps) 
             ShadowRay ray = term.rays().get(i);
             String name = words.of("towards", ray.target().map(Figures::of).orElseGet(() -> Figures.of(ray.direction())));
             if (!ray.isSent()) {
-                steps.add(Step.saying(Topic.SHADOW, "", (i + 1) + ": " + name + ": " + words.of(ray.facing() > 0 ? "shines-elsewhere" : "turned-away")));
+                steps.add(Step.saying(Topic.SHADOW, "", (i + 1) + ": " + name + ": " + nothing(ray)));
             } else if (ray.visibility() > 0) {
                 ray.obstacles().forEach(this::obstacle);
                 absorptions(ray);
