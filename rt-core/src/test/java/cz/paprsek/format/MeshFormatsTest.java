@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -137,6 +138,16 @@ class MeshFormatsTest {
         assertThat(material(model, "red").files()).containsExactly("tex/red.png");
         assertThat(material(model, "glass").transparency()).isEqualTo(0.75);
         assertThat(material(model, "glass").refractiveIndex()).isEqualTo(1.5);
+    }
+
+    /** Where it lay on another machine says nothing here; what lies where it should counts first. */
+    @ParameterizedTest
+    @CsvSource({"C:\\tex\\red.png, red.png, red.png", "../maps/red.png, red.png, red.png", "maps/red.png, red.png maps/red.png, maps/red.png", "maps/red.png, blue.png, maps/red.png"})
+    void aPictureIsLookedForBesideTheModelToo(String written, String there, String found) throws IOException {
+        Map<String, byte[]> beside = new HashMap<>(Map.of("m.mtl", ("newmtl red\nmap_Kd " + written + "\n").getBytes(StandardCharsets.UTF_8)));
+        Stream.of(there.split(" ")).forEach(name -> beside.put(name, new byte[0]));
+        Model model = Read.bytes(ForeignFormat.OBJ, (HEAD + "mtllib m.mtl\nusemtl red\nf 1 2 3\n").getBytes(StandardCharsets.UTF_8), beside);
+        assertThat(material(model, "red").files()).containsExactly(found);
     }
 
     private static Material material(Model model, String name) {

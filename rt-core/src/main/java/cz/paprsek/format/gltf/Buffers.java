@@ -65,6 +65,11 @@ final class Buffers {
         return comma >= 0 && uri.substring(0, comma).endsWith(";base64");
     }
 
+    /** The name of a picture beside the document as it is found. */
+    String picture(String name) {
+        return companions.picture(name);
+    }
+
     /** A file beside the document. */
     ByteBuffer beside(Tree owner, String name) throws IOException {
         try {

@@ -52,7 +52,7 @@ final class Images {
         }
         String uri = image.text("uri", "");
         if (image.has("uri") && !uri.startsWith("data:")) {
-            return Optional.of(Buffers.name(image, uri));
+            return Optional.of(buffers.picture(Buffers.name(image, uri)));
         }
         byte[] copy = copy(image.has("uri") ? buffers.data(image, uri) : buffers.view(image.needed("bufferView")));
         String name = prefix + source + (copy.length > 1 && copy[0] == (byte) 0xFF && copy[1] == (byte) 0xD8 ? ".jpg" : ".png");

@@ -14,4 +14,19 @@ public interface Companions {
 
     /** @throws IOException in one sentence that begins with the name, if it cannot be read */
     ByteBuffer bytes(String name) throws IOException;
+
+    /** The name of a picture as it is found: as it is written, or, since models come from other machines, by its last part if that lies beside the model and the other is not there. */
+    default String picture(String name) {
+        String last = name.substring(name.lastIndexOf('/') + 1);
+        return last.equals(name) || !isThere(last) || isThere(name) ? name : last;
+    }
+
+    private boolean isThere(String name) {
+        try {
+            bytes(name);
+            return true;
+        } catch (IOException unreadable) {
+            return false;
+        }
+    }
 }

@@ -22,13 +22,15 @@ import java.util.Map;
  */
 final class MtlReader {
     private final TextLines lines;
+    private final Companions companions;
     private final Notes notes;
     private final Map<String, Material> materials = new LinkedHashMap<>();
     private String name = "";
     private Draft draft = new Draft();
 
-    private MtlReader(TextLines lines, Notes notes) {
+    private MtlReader(TextLines lines, Companions companions, Notes notes) {
         this.lines = lines;
+        this.companions = companions;
         this.notes = notes;
     }
 
@@ -62,7 +64,7 @@ final class MtlReader {
         ByteBuffer content = companions.bytes(file);
         byte[] bytes = new byte[content.remaining()];
         content.get(bytes);
-        return new MtlReader(new TextLines(new ByteArrayInputStream(bytes), true), notes).read();
+        return new MtlReader(new TextLines(new ByteArrayInputStream(bytes), true), companions, notes).read();
     }
 
     private Map<String, Material> read() throws IOException {
@@ -151,6 +153,6 @@ final class MtlReader {
             notes.add("", "options of pictures are not read");
             rest = rest.substring(rest.lastIndexOf(' ') + 1);
         }
-        draft.picture = rest.replace('\\', '/').replaceFirst("^(\\./)+", "");
+        draft.picture = companions.picture(rest.replace('\\', '/').replaceFirst("^(\\./)+", ""));
     }
 }
