@@ -35,7 +35,7 @@ class ConvertCommandTest {
         Path scene = Scenes.scene(folder.resolve("glass.xml"), "<sphere radius='1'><material transparency='0.5' refractive-index='1.5'/></sphere>");
         Run run = Run.cli("convert", scene, folder.resolve("glass.pov"));
         assertThat(run.code()).isZero();
-        assertThat(run.err()).startsWith(scene + ": warning: object 1: where light is totally reflected").hasLineCount(1);
+        assertThat(run.err()).startsWith(scene + ": warning: object #1: where light is totally reflected").hasLineCount(1);
         assertThat(Run.cli("convert", scene, folder.resolve("glass.pov"), "-q").err()).isEmpty();
     }
 

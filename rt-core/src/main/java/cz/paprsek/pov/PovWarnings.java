@@ -123,7 +123,7 @@ final class PovWarnings {
         Map<String, List<String>> alike = new LinkedHashMap<>();
         for (int i = 0; i < scene.objects().size(); i++) {
             SceneObject object = scene.objects().get(i);
-            String name = object.name().isEmpty() ? "object " + (i + 1) : "\"" + object.name() + "\"";
+            String name = object.name().isEmpty() ? "object #" + (i + 1) : "\"" + object.name() + "\"";
             PovWarnings one = new PovWarnings(scene, moves);
             one.check("", object);
             one.sentences.forEach(said -> alike.computeIfAbsent(said, first -> new ArrayList<>()).add(name));
@@ -164,7 +164,7 @@ final class PovWarnings {
         boolean isSampled = false;
         for (int i = 0; i < scene.lights().size(); i++) {
             Light light = scene.lights().get(i);
-            String name = light.name().isEmpty() ? "light " + (i + 1) : "\"" + light.name() + "\"";
+            String name = light.name().isEmpty() ? "light #" + (i + 1) : "\"" + light.name() + "\"";
             if (light instanceof SphereLight) {
                 sentences.add(name + " is a ball; POV-Ray is given a point in its middle instead of samples of its radius: shadows are sharp, and what is seen of it casts none");
             }

@@ -155,7 +155,7 @@ class VertexColorsTest {
         assertThat(text).contains("texture_list { 3,", "pigment { rgb <0, 1, 0> }", "<0, 1, 2>, 0, 1, 2");
         Material striped = Material.DEFAULT.withPattern(new Pattern.Stripes(1, Rgb.WHITE, Rgb.BLACK, Pattern.Lay.NONE));
         Scene over = scene.withObjects(List.of(SceneObject.of(Mesh.of("t.obj").read(new Mesh.Whole("t.obj", triangle, Map.of("", striped)))).madeOf(Inherited.INHERITED)));
-        assertThat(PovFiles.write(over, new StringBuilder())).contains("object 1: POV-Ray is told the colours of corners only over one colour, and up to white");
+        assertThat(PovFiles.write(over, new StringBuilder())).contains("object #1: POV-Ray is told the colours of corners only over one colour, and up to white");
     }
 
     @Test

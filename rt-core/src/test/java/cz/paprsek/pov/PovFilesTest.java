@@ -58,8 +58,8 @@ class PovFilesTest {
         Scene scene = SceneFiles.read(FOLDER.resolve("everything.xml"));
         assertThat(PovFiles.write(scene, new StringBuilder())).containsExactly(
                 "POV-Ray does not sample pixels on a grid; for the same picture render it 2 times as wide and high, and average",
-                "object 9: POV-Ray does not count rays that go straight through as a level of max-depth",
-                "object 10 has surfaces of several refractive indices; POV-Ray knows one inside only and is told 1.5");
+                "object #9: POV-Ray does not count rays that go straight through as a level of max-depth",
+                "object #10 has surfaces of several refractive indices; POV-Ray knows one inside only and is told 1.5");
     }
 
     /** To render it larger and average would be the box filter. */
@@ -121,7 +121,7 @@ class PovFilesTest {
         String xml = "<scene xmlns='" + SceneFiles.NAMESPACE + "'><camera position='0 0 5' direction='0 0 -1'/><" + shape + "><material transparency='" + transparency
                 + "'><bump><noise/></bump></material></" + shape.substring(0, shape.indexOf(' ')) + "></scene>";
         List<String> turned = PovFiles.write(SceneFiles.parse(xml), new StringBuilder()).stream().filter(one -> one.contains("turns its bumps round")).toList();
-        assertThat(turned).isEqualTo(from.isEmpty() ? List.of() : List.of("object 1: POV-Ray turns its bumps round where they are met from " + from));
+        assertThat(turned).isEqualTo(from.isEmpty() ? List.of() : List.of("object #1: POV-Ray turns its bumps round where they are met from " + from));
     }
 
     /** As its corners have it: POV-Ray, told so, showed the picture on the wall of the room from glTF where we do. */

@@ -23,12 +23,12 @@ class EverySentenceTest {
     private static final Words CZECH = Words.in(Locale.forLanguageTag("cs"));
     private static final Path SOURCES = Path.of("src", "main", "java", "cz", "paprsek");
     /** Where what a user writes is read. Readers of other programs' models and pictures, and what is asked for on the command line only, tell in English. */
-    private static final Pattern ROOMS = Pattern.compile("(asset|attribute|formula|io|material|query|scene|shape|xml)/.*");
+    private static final Pattern ROOMS = Pattern.compile("(asset|attribute|formula|io|material|pov|query|scene|shape|xml)/.*");
     /** What only a programmer, or who works on the command line, is told. */
-    private static final Pattern APART = Pattern.compile("attribute/(Described|ElementTable)|query/SceneTables|scene/(CustomLight|ScenePath)|shape/placed/.*|shape/mesh/(Growing|TriangleCheck)|"
+    private static final Pattern APART = Pattern.compile("attribute/(Described|ElementTable)|query/SceneTables|scene/(CustomLight|ScenePath)|shape/placed/.*|shape/check/Problems|shape/mesh/(Growing|TriangleCheck)|"
             + "xml/(Frames|Making|OriginalText|SceneFile)|xml/bind/Adapters|xml/format/.*");
     /** What a sentence is given to. */
-    private static final Pattern TELLS = Pattern.compile("Require\\.that|(?!IllegalState|UnsupportedOperation|Cancellation|Uncheckedio|SAXParse)\\w*Exception|Misplaced|Refused|Rule|\\w*[mM]istakes\\.add|problems\\.add|found\\.add|wrong|(\\w+\\.)?refused|require|fault|check|fail");
+    private static final Pattern TELLS = Pattern.compile("Require\\.that|(?!IllegalState|UnsupportedOperation|Cancellation|Uncheckedio|SAXParse)\\w*Exception|Misplaced|Refused|Rule|\\w*[mM]istakes\\.add|problems\\.add|found\\.add|sentences\\.add|lost\\.add|wrong|(\\w+\\.)?refused|require|fault|check|fail");
     /** Where sentences are also returned, kept or chosen: each text of several words is asked for. */
     private static final Pattern WHOLE = Pattern.compile("xml/bind/(Elements|Prolog)|xml/mistake/(Complaints|Malformed)|shape/font/(Font|Table)");
     private static final Pattern TOKEN = Pattern.compile("//[^\n]*|/\\*.*?\\*/|\"\"\".*?\"\"\"|\"((?:[^\"\\\\]|\\\\.)*)\"|'(?:[^'\\\\]|\\\\.)+'", Pattern.DOTALL);

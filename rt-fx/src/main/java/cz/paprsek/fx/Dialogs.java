@@ -18,6 +18,9 @@ interface Dialogs {
     /** Asks where to save; empty if the user thought better of it. */
     Optional<Path> fileToSave(Optional<Path> suggestion);
 
+    /** Asks where a scene for POV-Ray is to be written; empty if the user thought better of it. */
+    Optional<Path> povToSave(Path suggestion);
+
     /** Asks for a picture that the scene is to have; empty if the user thought better of it. */
     Optional<Path> pictureToOpen(Path folder);
 

@@ -266,15 +266,31 @@ final class FileActions {
         return save(SceneSource.file(chosen.get()));
     }
 
-    /** What is written in the scene's text belongs to it; if that is not valid, nothing is saved before the user has said so. */
+    /** Asks where, and writes the scene for POV-Ray. */
+    void exportPov() {
+        Optional<Path> own = document.sourceProperty().get().map(SceneSource::file);
+        String name = fileName().replaceFirst("xml$", "pov");
+        dialogs.povToSave(own.map(file -> file.resolveSibling(name)).orElse(Path.of(name))).filter(file -> isSettled(() -> exportPov(file))).ifPresent(this::exportPov);
+    }
+
+    private void exportPov(Path target) {
+        new PovExport(notices, texts.get()).write(document.model().scene(), document.model().assets(),
+                document.sourceProperty().get().map(source -> source.file().toAbsolutePath().getParent()), target);
+    }
+
     private boolean save(SceneSource source) {
+        return isSettled(() -> write(source)) && write(source);
+    }
+
+    /** What is written in the scene's text belongs to it; if that is not valid, nothing is written before the user has said so. */
+    private boolean isSettled(Runnable anyway) {
         if (manuscript.flush()) {
-            return write(source);
+            return true;
         }
         manuscript.page().problems().stream().findFirst().ifPresent(problem -> notices.ask(
                 texts.get().of("xml.held", problem.line(), texts.get().sentence(problem.message())), List.of(
                         new MessageBar.Choice("xml-go-there", texts.get().of("xml.go-there"), manuscript::point),
-                        new MessageBar.Choice("xml-save-without", texts.get().of("xml.save-without"), () -> write(source)))));
+                        new MessageBar.Choice("xml-save-without", texts.get().of("xml.save-without"), anyway))));
         return false;
     }
 

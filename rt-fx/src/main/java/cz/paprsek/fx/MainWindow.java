@@ -129,6 +129,7 @@ final class MainWindow {
         editor.manuscript().openProperty().addListener(new WeakChangeListener<>(showXml));
         showXml(false);
         root.addEventHandler(KeyEvent.KEY_PRESSED, views.explaining()::key);
+        root.addEventHandler(KeyEvent.KEY_PRESSED, this::closeProblems);
         whole.setId("main-window");
         whole.getStylesheets().add(String.valueOf(MainWindow.class.getResource("editor.css")));
         root.setTop(new VBox(menuBar, menus.toolBar(), messages));
@@ -262,6 +263,14 @@ final class MainWindow {
         lesson.ifPresent(LessonPane::close);
         watch.close();
         views.close();
+    }
+
+    /** Escape that nobody else has had. */
+    private void closeProblems(KeyEvent event) {
+        if (event.getCode() == KeyCode.ESCAPE && problems.isVisible()) {
+            problems.hide();
+            event.consume();
+        }
     }
 
     private void showSelection() {

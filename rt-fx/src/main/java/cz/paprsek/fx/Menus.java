@@ -110,7 +110,7 @@ final class Menus {
         recent.setOnShowing(event -> recent.getItems().setAll(recentItems()));
         return menu("menu.file", command("file.new", () -> files.newFrom("plain")).keys("Shortcut+N").icon(MaterialDesignF.FILE_OUTLINE).menuItem(),
                 fresh, examples, open.menuItem(), recent, new SeparatorMenuItem(),
-                save.menuItem(), command("file.save-as", files::saveAs).keys("Shortcut+Shift+S").menuItem(),
+                save.menuItem(), command("file.save-as", files::saveAs).keys("Shortcut+Shift+S").menuItem(), command("file.export-pov", files::exportPov).menuItem(),
                 command("file.library", editor.library()::show).keys("Shortcut+Shift+O").icon(MaterialDesignI.IMAGE_MULTIPLE_OUTLINE).menuItem(),
                 command("file.revert", files::reload).disabledIf(noFile()).menuItem(), new SeparatorMenuItem(),
                 command("file.quit", editor::quit).keys("Shortcut+Q").menuItem());

@@ -92,7 +92,8 @@ final class RenderWindow {
     }
 
     private void offer(Path left) {
-        editor.ask(editor.texts().of("recovery.picture"), List.of(
+        String name = UnfinishedPictures.name(left);
+        editor.ask(name.isEmpty() ? editor.texts().of("recovery.picture") : editor.texts().of("recovery.picture-of", name), List.of(
                 new MessageBar.Choice("recovery-go-on", editor.texts().of("render.go-on"), () -> goOn(left)),
                 new MessageBar.Choice("recovery-discard", editor.texts().of("recovery.discard"), () -> discard(left))));
     }

@@ -55,7 +55,15 @@ final class SystemDialogs implements Dialogs {
 
     @Override
     public Optional<Path> fileToSave(Optional<Path> suggestion) {
-        FileChooser chooser = chooser(texts.get().of("dialog.save"), toSave(texts.get()));
+        return toSave(chooser(texts.get().of("dialog.save"), toSave(texts.get())), suggestion);
+    }
+
+    @Override
+    public Optional<Path> povToSave(Path suggestion) {
+        return toSave(chooser(texts.get().of("dialog.export-pov"), List.of(new ExtensionFilter(texts.get().of("dialog.pov"), "*.pov"))), Optional.of(suggestion));
+    }
+
+    private Optional<Path> toSave(FileChooser chooser, Optional<Path> suggestion) {
         suggestion.ifPresent(path -> {
             chooser.setInitialFileName(String.valueOf(path.getFileName()));
             Optional.ofNullable(path.getParent()).filter(Files::isDirectory).ifPresent(folder -> chooser.setInitialDirectory(folder.toFile()));

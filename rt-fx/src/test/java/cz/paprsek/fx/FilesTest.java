@@ -213,6 +213,29 @@ class FilesTest {
         assertThat(editor.model().scene()).isSameAs(BALL);
         editor.gui.click("#problems-close");
         assertThat(editor.gui.stage().getScene().lookup("#problems").isVisible()).isFalse();
+        editor.gui.act(() -> editor.editor.files().open(file));
+        editor.gui.until("problems are listed again", () -> editor.gui.stage().getScene().lookup("#problems").isVisible());
+        editor.gui.keys(KeyCode.ESCAPE);
+        assertThat(editor.gui.stage().getScene().lookup("#problems").isVisible()).isFalse();
+    }
+
+    /** Beside the scene, with what it needs; the scene itself stays where it is. */
+    @Test
+    void theSceneIsWrittenForPovRay() throws IOException {
+        Path target = folder.resolve("ball.pov");
+        editor.dialogs.save = Optional.of(target);
+        editor.menu("file-export-pov");
+        editor.gui.until("it is told", () -> editor.status().equals("ball.pov written for POV-Ray"));
+        assertThat(target).content().contains("sphere {");
+        assertThat(editor.dialogs.asked).containsExactly("pov ball.pov");
+        assertThat(editor.model().unsavedProperty().get()).isFalse();
+        editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.RENAME, "x"), scene -> scene.withSettings(scene.settings().withSamples(4))));
+        editor.menu("file-export-pov");
+        editor.gui.until("what is different is told", () -> editor.gui.stage().getScene().lookup("#message-bar").isVisible());
+        assertThat(editor.text("#message")).startsWith("ball.pov written for POV-Ray, which does not show all as it is here: POV-Ray does not sample pixels");
+        editor.dialogs.save = Optional.of(folder.resolve("none/ball.pov"));
+        editor.menu("file-export-pov");
+        editor.gui.until("why it is not written is told", () -> editor.status().endsWith("ball.pov: cannot be written, there is no such folder"));
     }
 
     @Test

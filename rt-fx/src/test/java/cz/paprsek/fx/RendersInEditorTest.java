@@ -68,13 +68,14 @@ class RendersInEditorTest {
         for (String number : List.of("1", "2", "3")) {
             Path room = Files.createDirectories(folder.resolve("pictures/00000000-0000-4000-8000-00000000000" + number));
             SceneFiles.write(scene, room.resolve("scene.xml"));
-            Files.writeString(room.resolve("picture.properties"), number.equals("1") ? "source=\\u00zz" : "answer.size=32x24");
+            Files.writeString(room.resolve("picture.properties"), number.equals("1") ? "source=\\u00zz" : "answer.size=32x24\nname=left");
         }
         try (EditorGui editor = new EditorGui(folder, Scene.EMPTY)) {
             editor.gui.until("the first is offered", () -> isOffered(editor));
             editor.gui.click("#recovery-go-on");
             editor.gui.until("it is told what is the matter with it", () -> editor.status().endsWith("picture.properties: is damaged"));
             editor.gui.until("the next is offered", () -> isOffered(editor));
+            assertThat(editor.text("#message")).isEqualTo("There is an unfinished picture of left from a session that ended before it was done.");
             editor.gui.click("#recovery-discard");
             editor.gui.until("the last is offered", () -> isOffered(editor));
             editor.gui.click("#recovery-go-on");

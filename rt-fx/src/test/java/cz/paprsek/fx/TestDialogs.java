@@ -35,6 +35,12 @@ final class TestDialogs implements Dialogs {
     }
 
     @Override
+    public Optional<Path> povToSave(Path suggestion) {
+        asked.add("pov " + suggestion.getFileName());
+        return save;
+    }
+
+    @Override
     public Optional<Path> pictureToOpen(Path folder) {
         asked.add("picture in " + folder.getFileName());
         return chosen;

@@ -47,6 +47,7 @@ public final class UnfinishedPictures {
     private static final String PICTURE = "picture.properties";
     private static final String ANSWER = "answer.";
     private static final String SOURCE = "source";
+    private static final String NAME = "name";
     private static final Pattern ROOM = Pattern.compile("[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}");
 
     private final Optional<Path> folder;
@@ -129,6 +130,7 @@ public final class UnfinishedPictures {
         Properties said = new Properties();
         answers.forEach((name, answer) -> said.setProperty(ANSWER + name, answer));
         source.ifPresent(file -> said.setProperty(SOURCE, file.toString()));
+        said.setProperty(NAME, scene.name());
         // The last to be written: without it, a picture had not begun.
         AtomicFile.write(room.resolve(PICTURE), out -> {
             Writer writer = new OutputStreamWriter(out, StandardCharsets.UTF_8);
@@ -221,13 +223,28 @@ public final class UnfinishedPictures {
         }
     }
 
-    private Resumed read(Path room, FileLock lock) throws IOException, SceneFileException {
+    /** What the scene is called of which one that was left is a picture; empty if it has no name, or that cannot be read. */
+    public static String name(Path left) {
+        try {
+            return said(left).getProperty(NAME, "");
+        } catch (IOException damaged) {
+            // Who takes it says what is wrong.
+            return "";
+        }
+    }
+
+    private static Properties said(Path room) throws IOException {
         Properties said = new Properties();
         try (Reader reader = Files.newBufferedReader(room.resolve(PICTURE))) {
             said.load(reader);
         } catch (IllegalArgumentException garbled) {
             throw new IOException(room.resolve(PICTURE) + ": is damaged", garbled);
         }
+        return said;
+    }
+
+    private Resumed read(Path room, FileLock lock) throws IOException, SceneFileException {
+        Properties said = said(room);
         Optional<Path> from = source(said);
         Scene scene = SceneFiles.read(room.resolve(SCENE), Map.of(), from.map(Assets::beside).orElseGet(Assets::none));
         Map<String, String> answers = said.stringPropertyNames().stream().filter(name -> name.startsWith(ANSWER))
