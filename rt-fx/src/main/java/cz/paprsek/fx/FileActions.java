@@ -6,6 +6,7 @@ import cz.paprsek.format.MeshFiles;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.file.Document;
 import cz.paprsek.fx.model.file.KeptText;
+import cz.paprsek.fx.model.file.PovExport;
 import cz.paprsek.fx.model.file.Recovery;
 import cz.paprsek.fx.model.file.SceneSource;
 import cz.paprsek.fx.model.file.Settings;
@@ -34,12 +35,15 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** New, open, save and reload. What is asked, and what goes wrong, is said here; the files themselves are the model's business. */
 final class FileActions {
     /** Bytes, within which a scene in XML begins. */
     private static final int HEAD = 512;
+    /** Of more that POV-Ray shows otherwise, only how many things it is. */
+    private static final int MOST_TOLD = 4;
 
     /** A scene with where it came from. */
     private record Loaded(SceneSource.Kept kept, Optional<Path> left, Optional<DatabaseFile> database) {}
@@ -274,8 +278,21 @@ final class FileActions {
     }
 
     private void exportPov(Path target) {
-        new PovExport(notices, texts.get()).write(document.model().scene(), document.model().assets(),
-                document.sourceProperty().get().map(source -> source.file().toAbsolutePath().getParent()), target);
+        Scene scene = document.model().scene();
+        Assets assets = document.model().assets();
+        Optional<Path> folder = document.sourceProperty().get().map(source -> source.file().toAbsolutePath().getParent());
+        Background.run("paprsek-export", () -> PovExport.write(scene, assets, folder, target), differences -> exported(target.getFileName(), differences),
+                fault -> notices.wrong(fault instanceof IOException unwritable ? Failures.sentence(target.toString(), unwritable) : target + ": " + fault.getMessage()));
+    }
+
+    private void exported(Path name, List<String> differences) {
+        notices.quiet();
+        notices.say(differences.isEmpty() ? texts.get().of("file.exported", name) : "");
+        if (!differences.isEmpty()) {
+            String first = differences.stream().limit(MOST_TOLD).map(texts.get()::sentence).collect(Collectors.joining("; "));
+            int more = differences.size() - MOST_TOLD;
+            notices.ask(texts.get().of("file.exported-but", name, more > 0 ? first + "; " + texts.get().of("file.exported-more", more) : first), List.of());
+        }
     }
 
     private boolean save(SceneSource source) {
