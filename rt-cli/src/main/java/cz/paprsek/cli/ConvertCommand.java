@@ -186,9 +186,7 @@ final class ConvertCommand implements Callable<Integer> {
 
     /** Takes along what the scene needs, and says what of it is missing. */
     private List<String> belongings(Scene content, boolean areUnpacked) throws IOException {
-        Optional<Path> folder = Incoming.isOnce(scene) ? Optional.empty() : Optional.ofNullable(scene.toAbsolutePath().getParent());
-        List<String> missing = new Belongings(content, given.pictures().of(scene), folder).take(target, areUnpacked);
-        return missing.stream().map(name -> name + " is missing, and is not taken along").toList();
+        return new Belongings(content, given.pictures().of(scene)).take(target, areUnpacked).stream().map(missing -> missing + "; it is not taken along").toList();
     }
 
     private int write(SceneReading reading, Scene content, String ending) {

@@ -160,6 +160,15 @@ public final class Assets {
         entry(name).supply(Objects.requireNonNull(content, "content"));
     }
 
+    /**
+     * A file as it is now, however large: nothing of it is kept. If it is there no more, as it was read.
+     *
+     * @throws IOException as for any other way to read it: where its name leads out, say
+     */
+    public InputStream open(String name) throws IOException {
+        return entry(name).open();
+    }
+
     /** The SHA-256 of a file's content, as 64 hexadecimal digits. */
     public String digest(String name) throws IOException {
         return sha256(entry(name).bytes());
@@ -291,6 +300,7 @@ public final class Assets {
     private final class Entry {
         private final String name;
         private byte @Nullable [] bytes;
+        private boolean isSupplied;
         private volatile @Nullable String digest;
         private @Nullable StoredImage picture;
         private final Map<Decoder<?>, Object> decoded = new HashMap<>();
@@ -309,7 +319,20 @@ public final class Assets {
             return known;
         }
 
+        synchronized InputStream open() throws IOException {
+            byte[] known = bytes;
+            try {
+                return known != null && isSupplied ? new ByteArrayInputStream(known) : Objects.requireNonNull(source.open(name), () -> "the source of assets gave null for " + quoted(name));
+            } catch (IOException gone) {
+                if (known == null) {
+                    throw named(name, gone);
+                }
+                return new ByteArrayInputStream(known);
+            }
+        }
+
         synchronized void supply(byte[] content) {
+            isSupplied = true;
             if (bytes == content) {
                 return;
             }

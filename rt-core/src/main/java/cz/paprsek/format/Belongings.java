@@ -9,7 +9,7 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Mesh;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.ByteBuffer;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -19,36 +19,32 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Optional;
-import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** The files that a scene needs besides its own, on their way to another folder: pictures, meshes, and what lies beside those. */
 public final class Belongings {
+    private static final int BLOCK = 1 << 16;
+
     private final Scene scene;
     private final Assets assets;
-    private final Optional<Path> folder;
 
     /**
      * Those of a scene.
      *
-     * @param assets where they come from
-     * @param folder where they lie, if that is known: files are then copied from there, however large they are
+     * @param assets where they come from: what may not be read there is not taken along
      */
-    public Belongings(Scene scene, Assets assets, Optional<Path> folder) {
+    public Belongings(Scene scene, Assets assets) {
         this.scene = Objects.requireNonNull(scene, "scene");
         this.assets = Objects.requireNonNull(assets, "assets");
-        this.folder = Objects.requireNonNull(folder, "folder");
     }
 
     /**
      * Copies all of them to where the scene is to be kept, unless they are there, or there is no such folder, which whoever writes the scene will say.
      *
      * @param areUnpacked whether pictures within meshes are wanted as files, too: other programs do not find them there
-     * @return what is missing, which stays so
+     * @return a sentence for each that is missing or may not be read, and so is not taken along
      * @throws IOException if there is another file of the same name there, before anything is copied; or one cannot be written
      */
     public List<String> take(Path sceneFile, boolean areUnpacked) throws IOException {
@@ -58,17 +54,21 @@ public final class Belongings {
         Scene read = MeshFiles.read(scene, assets, (place, problem) -> { });
         List<String> missing = new ArrayList<>();
         Map<Path, AtomicFile.Content> copies = new LinkedHashMap<>();
-        Set<String> inner = meshes(read).flatMap(mesh -> mesh.within().keySet().stream()).collect(Collectors.toSet());
         for (String name : names(read, areUnpacked)) {
-            Path copy = beside(sceneFile, name);
-            Optional<Path> original = folder.filter(from -> !inner.contains(name)).map(from -> from.resolve(name)).filter(Files::isRegularFile);
-            Optional<byte[]> content = original.isPresent() ? Optional.empty() : content(name);
-            if (original.isEmpty() && content.isEmpty()) {
-                missing.add(name);
-            } else if (!Files.exists(copy)) {
-                copies.put(copy, original.<AtomicFile.Content>map(from -> out -> Files.copy(from, out)).orElse(out -> out.write(content.orElseThrow())));
-            } else if (!(original.isPresent() ? isSame(original.get(), copy) : isSame(content.orElseThrow(), copy))) {
-                throw new IOException("there is another " + (ForeignFormat.ofName(name).isPresent() ? "mesh " : name.endsWith(".ttf") ? "font " : "picture ") + name + " beside it; give one of them another name");
+            InputStream original;
+            try {
+                original = assets.open(name);
+            } catch (IOException refused) {
+                missing.add(String.valueOf(refused.getMessage()));
+                continue;
+            }
+            try (original) {
+                Path copy = beside(sceneFile, name);
+                if (!Files.exists(copy)) {
+                    copies.put(copy, out -> copy(name, out));
+                } else if (!isSame(original, copy)) {
+                    throw new IOException("there is another " + (ForeignFormat.ofName(name).isPresent() ? "mesh " : name.endsWith(".ttf") ? "font " : "picture ") + name + " beside it; give one of them another name");
+                }
             }
         }
         for (Map.Entry<Path, AtomicFile.Content> copy : copies.entrySet()) {
@@ -101,24 +101,22 @@ public final class Belongings {
         return ScenePath.bodies(scene).map(place -> place.in(scene).shape()).filter(Mesh.class::isInstance).map(Mesh.class::cast);
     }
 
-    private Optional<byte[]> content(String name) {
-        try {
-            ByteBuffer content = assets.bytes(name);
-            byte[] bytes = new byte[content.remaining()];
-            content.get(bytes);
-            return Optional.of(bytes);
-        } catch (IOException missing) {
-            return Optional.empty();
+    private void copy(String name, OutputStream out) throws IOException {
+        try (InputStream original = assets.open(name)) {
+            original.transferTo(out);
         }
     }
 
-    private static boolean isSame(Path one, Path other) throws IOException {
-        return Files.isSameFile(one, other) || Files.mismatch(one, other) < 0;
-    }
-
-    private static boolean isSame(byte[] content, Path file) throws IOException {
-        try (InputStream input = Files.newInputStream(file)) {
-            return Files.size(file) == content.length && Arrays.equals(content, input.readNBytes(content.length));
+    private static boolean isSame(InputStream original, Path file) throws IOException {
+        try (InputStream other = Files.newInputStream(file)) {
+            byte[] block;
+            do {
+                block = original.readNBytes(BLOCK);
+                if (!Arrays.equals(block, other.readNBytes(BLOCK))) {
+                    return false;
+                }
+            } while (block.length > 0);
+            return true;
         }
     }
 }

@@ -280,8 +280,7 @@ final class FileActions {
     private void exportPov(Path target) {
         Scene scene = document.model().scene();
         Assets assets = document.model().assets();
-        Optional<Path> folder = document.sourceProperty().get().map(source -> source.file().toAbsolutePath().getParent());
-        Background.run("paprsek-export", () -> PovExport.write(scene, assets, folder, target), differences -> exported(target.getFileName(), differences),
+        Background.run("paprsek-export", () -> PovExport.write(scene, assets, target), differences -> exported(target.getFileName(), differences),
                 fault -> notices.wrong(fault instanceof IOException unwritable ? Failures.sentence(target.toString(), unwritable) : target + ": " + fault.getMessage()));
     }
 

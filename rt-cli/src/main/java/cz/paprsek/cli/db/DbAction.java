@@ -121,11 +121,10 @@ public abstract class DbAction implements Callable<Integer> {
      * @throws IOException if there is another of the same name
      */
     final void takeAlong(Path from, List<Scene> scenes, Path to) throws IOException {
-        Optional<Path> folder = Incoming.isOnce(from) ? Optional.empty() : Optional.ofNullable(from.toAbsolutePath().getParent());
         for (Scene scene : scenes) {
             try {
-                for (String name : new Belongings(scene, new Pictures().of(from), folder).take(to, false)) {
-                    done(to + ": warning: \"" + name + "\" of scene \"" + scene.name() + "\" is missing, and is not taken along");
+                for (String missing : new Belongings(scene, new Pictures().of(from)).take(to, false)) {
+                    done(to + ": warning: scene \"" + scene.name() + "\": " + missing + "; it is not taken along");
                 }
             } catch (IOException e) {
                 throw new IOException(Failures.sentence(to.toString(), e), e);

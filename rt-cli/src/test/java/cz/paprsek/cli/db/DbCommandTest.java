@@ -189,7 +189,7 @@ class DbCommandTest {
         Path there = Files.createDirectory(folder.resolve("there"));
         Path target = there.resolve("db.xml");
         assertThat(Run.cli("db", "add", target, scene)).matches(run -> run.code() == 0
-                && run.err().startsWith(target + ": warning: \"a.png\" of scene \"ball\" is missing, and is not taken along\n"));
+                && run.err().startsWith(target + ": warning: scene \"ball\": \"a.png\": there is no such file beside the scene; it is not taken along\n"));
         Files.writeString(folder.resolve("a.png"), "one");
         Files.writeString(there.resolve("a.png"), "other");
         byte[] before = Files.readAllBytes(target);

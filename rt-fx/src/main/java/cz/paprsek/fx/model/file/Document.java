@@ -125,8 +125,7 @@ public final class Document {
     }
 
     private Assets taken(Scene scene, SceneSource to) throws IOException {
-        Optional<Path> from = source.get().flatMap(place -> Optional.ofNullable(place.file().toAbsolutePath().getParent()));
-        new Belongings(scene, model.assets(), from).take(to.file(), false);
+        new Belongings(scene, model.assets()).take(to.file(), false);
         return Assets.beside(to.file());
     }
 
