@@ -185,8 +185,9 @@ final class ConvertCommand implements Callable<Integer> {
     }
 
     /** Takes along what the scene needs, and says what of it is missing. */
-    private List<String> belongings(Scene content, boolean areUnpacked) throws IOException {
-        return new Belongings(content, given.pictures().of(scene)).take(target, areUnpacked).stream().map(missing -> missing + "; it is not taken along").toList();
+    private List<String> belongings(Scene content, boolean areForPov) throws IOException {
+        Belongings needed = new Belongings(content, given.pictures().of(scene));
+        return (areForPov ? needed.takeUnpacked(target, PovFiles::nameOf) : needed.take(target)).stream().map(missing -> missing + "; it is not taken along").toList();
     }
 
     private int write(SceneReading reading, Scene content, String ending) {

@@ -21,6 +21,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 
 /** The files that a scene needs besides its own, on their way to another folder: pictures, meshes, and what lies beside those. */
@@ -43,11 +44,23 @@ public final class Belongings {
     /**
      * Copies all of them to where the scene is to be kept, unless they are there, or there is no such folder, which whoever writes the scene will say.
      *
-     * @param areUnpacked whether pictures within meshes are wanted as files, too: other programs do not find them there
      * @return a sentence for each that is missing or may not be read, and so is not taken along
      * @throws IOException if there is another file of the same name there, before anything is copied; or one cannot be written
      */
-    public List<String> take(Path sceneFile, boolean areUnpacked) throws IOException {
+    public List<String> take(Path sceneFile) throws IOException {
+        return take(sceneFile, false, name -> name);
+    }
+
+    /**
+     * Likewise for another program, which does not find pictures within meshes: those become files, too.
+     *
+     * @param named what that program calls a file
+     */
+    public List<String> takeUnpacked(Path sceneFile, UnaryOperator<String> named) throws IOException {
+        return take(sceneFile, true, named);
+    }
+
+    private List<String> take(Path sceneFile, boolean areUnpacked, UnaryOperator<String> named) throws IOException {
         if (!Files.isDirectory(Objects.requireNonNull(sceneFile.toAbsolutePath().getParent()))) {
             return List.of();
         }
@@ -63,7 +76,7 @@ public final class Belongings {
                 continue;
             }
             try (original) {
-                Path copy = beside(sceneFile, name);
+                Path copy = beside(sceneFile, named.apply(name));
                 if (!Files.exists(copy)) {
                     copies.put(copy, out -> copy(name, out));
                 } else if (!isSame(original, copy)) {

@@ -18,6 +18,13 @@ import java.util.Objects;
 public final class PovFiles {
     private PovFiles() {}
 
+    /** What a file that a scene names must be called beside POV-Ray's: it finds none whose name has other letters than those of ASCII. */
+    public static String nameOf(String file) {
+        StringBuilder name = new StringBuilder();
+        file.codePoints().forEach(letter -> name.append(letter < 128 ? Character.toString(letter) : "_" + Integer.toHexString(letter)));
+        return name.toString();
+    }
+
     /**
      * Writes a scene.
      *

@@ -73,7 +73,7 @@ final class PovPictures {
 
     /** A file and its kind. */
     private static String named(String file) {
-        return ImageFormat.ofFile(file).map(some -> WORDS.getOrDefault(some, "")).orElse("") + " \"" + file.replace("\\", "\\\\").replace("\"", "\\\"") + "\"";
+        return ImageFormat.ofFile(file).map(some -> WORDS.getOrDefault(some, "")).orElse("") + " \"" + PovFiles.nameOf(file).replace("\\", "\\\\").replace("\"", "\\\"") + "\"";
     }
 
     /**

@@ -40,9 +40,9 @@ class BelongingsTest {
     @Test
     void nothingIsWrittenOutsideOfTheFolder() throws Exception {
         Files.writeString(folder.resolve("theirs/profile"), "theirs");
-        assertThat(of("../profile").take(to.resolve("scene.xml"), false)).containsExactly("\"../profile\": only files in the scene's folder and below can be read, and .. leads out");
+        assertThat(of("../profile").take(to.resolve("scene.xml"))).containsExactly("\"../profile\": only files in the scene's folder and below can be read, and .. leads out");
         Files.createDirectory(from.resolve("deep"));
-        assertThat(of("deep/../../profile").take(to.resolve("scene.xml"), true)).hasSize(1);
+        assertThat(of("deep/../../profile").take(to.resolve("scene.xml"))).hasSize(1);
         assertThat(folder.resolve("mine/profile")).doesNotExist();
     }
 
@@ -50,8 +50,8 @@ class BelongingsTest {
     void nothingIsFetchedFromOutsideOfTheFolder() throws Exception {
         Path secret = Files.writeString(folder.resolve("secret"), "mine");
         Files.createSymbolicLink(from.resolve("a.png"), secret);
-        assertThat(of("a.png").take(to.resolve("scene.xml"), false)).singleElement().asString().startsWith("\"a.png\": this is a link that leads out");
-        assertThat(of(secret.toString()).take(to.resolve("scene.xml"), false)).singleElement().asString().endsWith("this one is absolute");
+        assertThat(of("a.png").take(to.resolve("scene.xml"))).singleElement().asString().startsWith("\"a.png\": this is a link that leads out");
+        assertThat(of(secret.toString()).take(to.resolve("scene.xml"))).singleElement().asString().endsWith("this one is absolute");
         assertThat(to).isEmptyDirectory();
     }
 
@@ -60,7 +60,7 @@ class BelongingsTest {
         Files.writeString(from.resolve("a.png"), "beside the scene");
         Path elsewhere = Files.createDirectory(folder.resolve("elsewhere"));
         Files.writeString(elsewhere.resolve("a.png"), "what is shown");
-        assertThat(new Belongings(showing("a.png"), Assets.in(elsewhere)).take(to.resolve("scene.xml"), false)).isEmpty();
+        assertThat(new Belongings(showing("a.png"), Assets.in(elsewhere)).take(to.resolve("scene.xml"))).isEmpty();
         assertThat(to.resolve("a.png")).hasContent("what is shown");
     }
 
@@ -70,11 +70,11 @@ class BelongingsTest {
         Files.writeString(from.resolve("a.png"), "read");
         assets.bytes("a.png");
         Files.writeString(from.resolve("a.png"), "now");
-        new Belongings(showing("a.png"), assets).take(to.resolve("scene.xml"), false);
+        new Belongings(showing("a.png"), assets).take(to.resolve("scene.xml"));
         assertThat(to.resolve("a.png")).hasContent("now");
         Files.delete(from.resolve("a.png"));
         Files.delete(to.resolve("a.png"));
-        new Belongings(showing("a.png"), assets).take(to.resolve("scene.xml"), false);
+        new Belongings(showing("a.png"), assets).take(to.resolve("scene.xml"));
         assertThat(to.resolve("a.png")).hasContent("read");
     }
 
@@ -83,10 +83,10 @@ class BelongingsTest {
         byte[] large = new byte[200_000];
         Files.write(from.resolve("a.png"), large);
         Files.write(to.resolve("a.png"), large);
-        assertThat(of("a.png").take(to.resolve("scene.xml"), false)).isEmpty();
+        assertThat(of("a.png").take(to.resolve("scene.xml"))).isEmpty();
         large[large.length - 1] = 1;
         Files.write(to.resolve("a.png"), large);
-        assertThatThrownBy(() -> of("a.png").take(to.resolve("scene.xml"), false)).isInstanceOf(IOException.class)
+        assertThatThrownBy(() -> of("a.png").take(to.resolve("scene.xml"))).isInstanceOf(IOException.class)
                 .hasMessage("there is another picture a.png beside it; give one of them another name");
         assertThat(to.resolve("a.png")).hasBinaryContent(large);
     }

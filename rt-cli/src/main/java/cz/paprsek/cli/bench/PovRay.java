@@ -1,6 +1,7 @@
 package cz.paprsek.cli.bench;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.format.Belongings;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.io.AtomicFile;
@@ -8,7 +9,6 @@ import cz.paprsek.pov.PovFiles;
 import cz.paprsek.scene.Scene;
 import java.io.File;
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -108,14 +108,7 @@ final class PovRay {
         try (TemporaryFolder temporary = TemporaryFolder.create("paprsek-pov")) {
             Path folder = temporary.path();
             PovFiles.write(scene, folder.resolve("scene.pov"));
-            for (String name : scene.files()) {
-                ByteBuffer bytes = assets.bytes(name);
-                byte[] content = new byte[bytes.remaining()];
-                bytes.get(content);
-                Path copy = folder.resolve(name);
-                Files.createDirectories(copy.getParent());
-                Files.write(copy, content);
-            }
+            new Belongings(scene, assets).takeUnpacked(folder.resolve("scene.pov"), PovFiles::nameOf);
             String log = run(folder, command("scene.pov", "scene.png", scene.settings().width(), scene.settings().height(), threads));
             Path made = folder.resolve("scene.png");
             if (!Files.exists(made)) {

@@ -123,7 +123,7 @@ public abstract class DbAction implements Callable<Integer> {
     final void takeAlong(Path from, List<Scene> scenes, Path to) throws IOException {
         for (Scene scene : scenes) {
             try {
-                for (String missing : new Belongings(scene, new Pictures().of(from)).take(to, false)) {
+                for (String missing : new Belongings(scene, new Pictures().of(from)).take(to)) {
                     done(to + ": warning: scene \"" + scene.name() + "\": " + missing + "; it is not taken along");
                 }
             } catch (IOException e) {

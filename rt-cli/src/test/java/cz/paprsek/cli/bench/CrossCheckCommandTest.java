@@ -61,4 +61,42 @@ class CrossCheckCommandTest {
         assertThat(frame.code()).as(frame.out() + frame.err()).isZero();
         assertThat(Run.cli("crosscheck", ball, "--record", "--frame", 2).err()).contains("--record is of scenes as they are written");
     }
+
+    /** POV-Ray finds a picture only by letters of ASCII: it is told, and given, another name. */
+    @Test
+    void povRayFindsPicturesWhateverTheirNames() throws IOException {
+        Run.cli("render", Scenes.ball(folder.resolve("ball.xml")), "-o", folder.resolve("kůra \"1\".png"));
+        Path scene = Scenes.scene(folder.resolve("kůra.xml"), """
+                <ambient color="white"/><rectangle min="-3 -3" max="3 3"><material><image file="kůra &quot;1&quot;.png" filter="bilinear"/></material></rectangle>""");
+        Run convert = Run.cli("convert", scene, folder.resolve("pov/kůra.pov"));
+        assertThat(convert.code()).as(convert.err()).isZero();
+        assertThat(folder.resolve("pov/kůra.pov")).content().contains("png \"k_16fra \\\"1\\\".png\"");
+        assertThat(folder.resolve("pov/k_16fra \"1\".png")).hasSameBinaryContentAs(folder.resolve("kůra \"1\".png"));
+        assumeTrue(PovRay.installed().isPresent(), "povray is not installed");
+        Run live = Run.cli("crosscheck", scene);
+        assertThat(live.code()).as(live.out() + live.err()).isZero();
+    }
+
+    @Test
+    void povRayIsGivenThePicturesOfModels() throws IOException {
+        assumeTrue(PovRay.installed().isPresent(), "povray is not installed");
+        Run.cli("render", Scenes.ball(folder.resolve("ball.xml")), "-o", folder.resolve("bark.png"));
+        Files.writeString(folder.resolve("bark.mtl"), """
+                newmtl bark
+                map_Kd bark.png
+                """);
+        Files.writeString(folder.resolve("bark.obj"), """
+                mtllib bark.mtl
+                usemtl bark
+                v -1 0 0
+                v 1 0 0
+                v 0 2 0
+                vt 0 0
+                vt 1 0
+                vt 0 1
+                f 1/1 2/2 3/3
+                """);
+        Run live = Run.cli("crosscheck", Scenes.scene(folder.resolve("model.xml"), "<ambient color=\"white\"/><mesh file=\"bark.obj\"/>"), "--at-most", "100%");
+        assertThat(live.code()).as(live.out() + live.err()).isZero();
+    }
 }

@@ -125,7 +125,7 @@ public final class Document {
     }
 
     private Assets taken(Scene scene, SceneSource to) throws IOException {
-        new Belongings(scene, model.assets()).take(to.file(), false);
+        new Belongings(scene, model.assets()).take(to.file());
         return Assets.beside(to.file());
     }
 

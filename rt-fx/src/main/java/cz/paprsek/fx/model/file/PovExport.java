@@ -21,6 +21,6 @@ public final class PovExport {
      * @throws IllegalArgumentException if POV-Ray has no words for something in the scene
      */
     public static List<String> write(Scene scene, Assets assets, Path target) throws IOException {
-        return Stream.concat(new Belongings(scene, assets).take(target, true).stream(), PovFiles.write(MeshFiles.read(scene, assets), target).stream()).toList();
+        return Stream.concat(new Belongings(scene, assets).takeUnpacked(target, PovFiles::nameOf).stream(), PovFiles.write(MeshFiles.read(scene, assets), target).stream()).toList();
     }
 }
