@@ -16,6 +16,7 @@ import cz.paprsek.fx.view.manual.ManualWindow;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.texts.BuiltInWords;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.lesson.Lesson;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.Problem;
@@ -90,7 +91,7 @@ final class Editor implements Notices {
         this.dialogs = asking.make(stage, texts::get);
         Recovery recovery = new Recovery(folder);
         this.autosave = new Autosave(document, manuscript, recovery, this::wrong);
-        this.files = new FileActions(document, settings, recovery, autosave, dialogs, this, texts::get, this::showLibrary, manuscript);
+        this.files = new FileActions(document, settings, recovery, autosave, dialogs, this, texts::get, this::showLibrary, this::begin, manuscript);
         this.renders = new RenderWindow(this, dialogs, folder);
         this.library = new LibraryWindow(this, document, dialogs);
         this.mistakes = new MistakesWindow(this);
@@ -228,6 +229,10 @@ final class Editor implements Notices {
     void setLanguage(Locale language) {
         settings.set("language", language.toLanguageTag());
         texts.set(Texts.in(language));
+    }
+
+    private void begin(Lesson lesson) {
+        lessons.open(lesson);
     }
 
     /** Opens what the program was started for: a file, else the given scene without one. */

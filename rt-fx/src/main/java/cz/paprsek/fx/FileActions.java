@@ -5,6 +5,7 @@ import cz.paprsek.format.ForeignFormat;
 import cz.paprsek.format.MeshFiles;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.file.Document;
+import cz.paprsek.fx.model.file.FileHead;
 import cz.paprsek.fx.model.file.KeptText;
 import cz.paprsek.fx.model.file.PovExport;
 import cz.paprsek.fx.model.file.Recovery;
@@ -23,13 +24,10 @@ import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -40,8 +38,6 @@ import java.util.stream.Stream;
 
 /** New, open, save and reload. What is asked, and what goes wrong, is said here; the files themselves are the model's business. */
 final class FileActions {
-    /** Bytes, within which a scene in XML begins. */
-    private static final int HEAD = 512;
     /** Of more that POV-Ray shows otherwise, only how many things it is. */
     private static final int MOST_TOLD = 4;
 
@@ -56,13 +52,19 @@ final class FileActions {
     private final Notices notices;
     private final Supplier<Texts> texts;
     private final Consumer<DatabaseFile> onDatabase;
+    private final Consumer<Lesson> onLesson;
     private final Manuscript manuscript;
     /** How often a file was not written because others have changed it, each time with a question. */
     private int refusals;
 
-    /** @param onDatabase takes a database whose first scene was opened */
+    /**
+     * Those of an editor.
+     *
+     * @param onDatabase takes a database whose first scene was opened
+     * @param onLesson begins a lesson, unless the user stays with what is unsaved
+     */
     FileActions(Document document, Settings settings, Recovery recovery, Autosave autosave, Dialogs dialogs, Notices notices, Supplier<Texts> texts,
-            Consumer<DatabaseFile> onDatabase, Manuscript manuscript) {
+            Consumer<DatabaseFile> onDatabase, Consumer<Lesson> onLesson, Manuscript manuscript) {
         this.document = document;
         this.settings = settings;
         this.recovery = recovery;
@@ -71,6 +73,7 @@ final class FileActions {
         this.notices = notices;
         this.texts = texts;
         this.onDatabase = onDatabase;
+        this.onLesson = onLesson;
         this.manuscript = manuscript;
     }
 
@@ -97,9 +100,12 @@ final class FileActions {
     }
 
     /** Opens the lesson of a file, if it is one; else says what is wrong with it. */
-    void openLesson(Consumer<Lesson> opened) {
-        dialogs.fileToOpen(settings.recent().stream().findFirst().map(Path::getParent)).ifPresent(file -> Background.run("paprsek-lesson", () -> Lessons.read(file), opened,
-                fault -> failed(file, fault)));
+    void openLesson() {
+        dialogs.fileToOpen(settings.recent().stream().findFirst().map(Path::getParent)).ifPresent(this::openLesson);
+    }
+
+    private void openLesson(Path file) {
+        Background.run("paprsek-lesson", () -> Lessons.read(file), onLesson, fault -> failed(file, fault));
     }
 
     void open() {
@@ -108,32 +114,21 @@ final class FileActions {
         dialogs.fileToOpen(folder).ifPresent(this::open);
     }
 
-    /** Opens a file; if something is wrong with it, says what, and stays with the scene there is. One of another program becomes a scene that is not saved. */
+    /** Opens a file; if something is wrong with it, says what, and stays with the scene there is. One of another program becomes a scene that is not saved; a lesson begins. */
     void open(Path file) {
         String name = String.valueOf(file.getFileName());
         Optional<ForeignFormat> foreign = ForeignFormat.ofName(name);
-        if (foreign.isEmpty() && isOther(file)) {
+        FileHead head = FileHead.of(file);
+        if (foreign.isEmpty() && head.isOther()) {
             notices.say(texts.get().of("file.other", name, ForeignFormat.meshes()));
+        } else if (foreign.isEmpty() && head.isLesson()) {
+            openLesson(file);
         } else if (mayLeave()) {
             if (foreign.isPresent()) {
                 bring(file, name, foreign.get());
             } else {
                 load(() -> read(file), file);
             }
-        }
-    }
-
-    /** Whether a file neither is named as scenes are nor begins as XML does, in any encoding. */
-    private static boolean isOther(Path file) {
-        if (!Files.isRegularFile(file) || file.toString().toLowerCase(Locale.ROOT).endsWith(".xml")) {
-            return false;
-        }
-        try (InputStream input = Files.newInputStream(file)) {
-            String head = new String(input.readNBytes(HEAD), StandardCharsets.ISO_8859_1);
-            return !head.replaceFirst("^[\\s\\x00\u00EF\u00BB\u00BF\u00FE\u00FF]+", "").startsWith("<");
-        } catch (IOException unreadable) {
-            // What is wrong is said by who opens it.
-            return false;
         }
     }
 

@@ -208,7 +208,7 @@ final class Menus {
     private Menu teachMenu() {
         Menu menu = menu("menu.teach", command("teach.lessons", editor.lessons()::toggle).keys("Shortcut+T").menuItem(), new SeparatorMenuItem());
         Lessons.NAMES.forEach(name -> menu.getItems().add(item((Lessons.NAMES.indexOf(name) + 1) + ". " + texts.of("lesson." + name), "lesson-" + name, () -> editor.lessons().open(name))));
-        menu.getItems().addAll(new SeparatorMenuItem(), command("teach.open", () -> files.openLesson(editor.lessons()::open)).menuItem());
+        menu.getItems().addAll(new SeparatorMenuItem(), command("teach.open", files::openLesson).menuItem());
         return menu;
     }
 

@@ -168,6 +168,11 @@ class LessonsInEditorTest {
         editor.dialogs.open = Optional.of(file);
         editor.menu("teach-open");
         editor.gui.until("the lesson is open", () -> text("#lesson-title").equals("Mine"));
+        editor.menu("lesson-sphere");
+        assertThat(text("#lesson-title")).isNotEqualTo("Mine");
+        Path told = Files.writeString(folder.resolve("told.xml"), "<?xml version='1.0'?>\n<!-- <scene> -->\n" + Files.readString(file));
+        editor.gui.act(() -> editor.editor.files().open(told));
+        editor.gui.until("so it is as any other file", () -> text("#lesson-title").equals("Mine"));
         Files.writeString(file, "<lesson xmlns=\"urn:paprsek:lesson:1\" scene=\"../scene.xml\"><title><en>Mine</en><cs>Moje</cs></title></lesson>");
         editor.menu("teach-open");
         editor.gui.until("the problem is listed", () -> editor.gui.stage().getScene().getRoot().lookupAll(".list-cell").stream()
