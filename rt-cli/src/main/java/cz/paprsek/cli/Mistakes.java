@@ -6,6 +6,7 @@ import cz.paprsek.text.Similar;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
@@ -24,6 +25,13 @@ final class Mistakes {
 
     /** What it says of a value that is to be two with an equals sign between them. */
     private static final Pattern NO_PAIR = Pattern.compile("^Value for option option ('.*') \\((.*)\\) should be in KEY=VALUE format but was (.*)$");
+
+    /** What other renderers call what has another name here. */
+    private static final Map<String, String> OF_OTHERS = Map.ofEntries(
+            Map.entry("--width", "--size"), Map.entry("--height", "--size"), Map.entry("--resolution", "--size"), Map.entry("--res", "--size"), Map.entry("-w", "--size"),
+            Map.entry("--spp", "--samples"), Map.entry("--aa", "--samples"), Map.entry("--antialias", "--samples"), Map.entry("--quality", "--samples"), Map.entry("--passes", "--samples"),
+            Map.entry("--depth", "--max-depth"), Map.entry("--bounces", "--max-depth"), Map.entry("--jobs", "--threads"), Map.entry("-j", "--threads"), Map.entry("--cores", "--threads"),
+            Map.entry("--outfile", "--output"), Map.entry("--crop", "--region"));
 
     private Mistakes() {}
 
@@ -52,6 +60,10 @@ final class Mistakes {
         }
         String word = given.split("=", 2)[0];
         List<String> known = spec.options().stream().flatMap(option -> List.of(option.names()).stream()).toList();
+        String here = OF_OTHERS.getOrDefault(word, "");
+        if (known.contains(here)) {
+            return "unknown option \"" + word + "\"; here that is " + here + (here.equals("--size") ? " WIDTHxHEIGHT" : "");
+        }
         if (word.startsWith("--") && Similar.nearest(word, known).isPresent()) {
             return "unknown option \"" + word + "\"" + Similar.suggestion(word, known);
         }

@@ -13,6 +13,10 @@ class MistakesTest {
     @CsvSource(delimiter = '|', value = {
         "rendr                                | there is no command \"rendr\"; did you mean \"render\"?",
         "render a.xml --sise 3x3              | unknown option \"--sise\"; did you mean \"--size\"?",
+        "render a.xml --width 640             | unknown option \"--width\"; here that is --size WIDTHxHEIGHT",
+        "render a.xml --height=480            | unknown option \"--height\"; here that is --size WIDTHxHEIGHT",
+        "render a.xml --spp 16                | unknown option \"--spp\"; here that is --samples",
+        "info a.xml --spp 16                  | unknown option \"--spp\"",
         "render a.xml --raytrace              | unknown option \"--raytrace\"",
         "schema now                           | unexpected \"now\"",
         "render                               | Missing required parameter: 'SCENE'",
