@@ -289,6 +289,21 @@ class LessonsInEditorTest {
         assertThat(text("#lesson-progress")).isEqualTo("10 of 10 done");
     }
 
+    /** The tour asks for what is selected in the tree, in whose place it stands in a narrow window. */
+    @Test
+    void theTourTellsHowToReachTheTreeInANarrowWindow() {
+        editor.menu("help-menu-tour");
+        Lesson tour = Lessons.tour();
+        editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.CHANGE), scene -> tour.tasks().get(0).solution()));
+        editor.gui.until("the ball is counted", () -> text("#lesson-progress").equals("1 of 10 done"));
+        assertThat(Gui.on(() -> editor.gui.stage().getScene().getRoot().lookupAll("#lesson-pane .label").stream().map(label -> ((Labeled) label).getText())
+                .filter(said -> said.contains("narrow window")).findFirst())).hasValueSatisfying(said -> assertThat(said).contains("Ctrl+T takes it away, and brings it back"));
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.T);
+        assertThat(Gui.on(() -> Optional.ofNullable(editor.gui.stage().getScene().lookup("#tree-list")))).isPresent();
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.T);
+        assertThat(text("#lesson-progress")).isEqualTo("1 of 10 done");
+    }
+
     private boolean isInSight(Node node) {
         Node pane = editor.gui.stage().getScene().lookup("#lesson-scroll");
         return pane.localToScene(pane.getLayoutBounds()).contains(node.localToScene(node.getLayoutBounds()));
