@@ -68,6 +68,7 @@ public final class Belongings {
         List<String> missing = new ArrayList<>();
         Map<Path, AtomicFile.Content> copies = new LinkedHashMap<>();
         for (String name : names(read, areUnpacked)) {
+            Path copy = beside(sceneFile, named.apply(name));
             InputStream original;
             try {
                 original = assets.open(name);
@@ -76,7 +77,6 @@ public final class Belongings {
                 continue;
             }
             try (original) {
-                Path copy = beside(sceneFile, named.apply(name));
                 if (!Files.exists(copy)) {
                     copies.put(copy, out -> copy(name, out));
                 } else if (!isSame(original, copy)) {
