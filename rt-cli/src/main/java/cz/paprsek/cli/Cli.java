@@ -83,8 +83,8 @@ final class Cli {
         boolean isOneEnough = args.length > 0 && NAMES.contains(args[0]) && !NEEDING_ALL.contains(args[0]);
         int code = plain.isPresent() ? run(plain.get()) : run(commandLine(isOneEnough ? List.of(args[0]) : NAMES), args);
         terminal.out().flush();
-        // A command that has failed has told why.
-        Optional<IOException> lost = terminal.bytes().lost().filter(failure -> code != ExitCode.FAILED);
+        // A command that has failed to write bytes has told why; lines are lost without its knowledge, also those that tell of a difference.
+        Optional<IOException> lost = terminal.bytes().lost().filter(failure -> code != ExitCode.FAILED || terminal.bytes().areLinesLost());
         lost.ifPresent(failure -> terminal.message(Failures.sentence("standard output", failure) + "; results are lost"));
         terminal.err().flush();
         return lost.isPresent() && code == ExitCode.DONE ? ExitCode.FAILED : code;

@@ -47,12 +47,14 @@ class ProcessTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"info S", "info S --json", "validate S", "validate S --json", "explain S 8,4", "db list S", "db tables S", "db list S --csv",
-        "db extract S ball -o -", "compare P P", "schema", "--help", "render --help", "--version", "generate-completion", "render S -o P --json --quiet", "render S -o -"})
+        "db extract S ball -o -", "compare P P", "compare P Q --json", "compare P Q", "grade S Q --csv", "schema", "--help", "render --help", "--version", "generate-completion", "render S -o P --json --quiet", "render S -o -"})
     void resultsThatAreLostAreAFailure(String line) throws Exception {
         Path scene = Scenes.ball(folder.resolve("s.xml"));
         Path picture = folder.resolve("p.png");
         Run.cli("render", scene, "-o", picture);
-        String[] words = line.replace("S", scene.toString()).replace("P", picture.toString()).split(" ");
+        Path other = folder.resolve("q.png");
+        Run.cli("render", scene, "-o", other, "--mistake", "flip-x");
+        String[] words = line.replace("S", scene.toString()).replace("P", picture.toString()).replace("Q", other.toString()).split(" ");
         ProcessBuilder builder = builder(List.of(), words).redirectOutput(Path.of("/dev/full").toFile());
         Process process = builder.start();
         String err = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);

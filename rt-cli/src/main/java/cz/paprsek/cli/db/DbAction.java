@@ -19,6 +19,7 @@ import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -111,6 +112,12 @@ public abstract class DbAction implements Callable<Integer> {
                 throw new BadScene(e.problems().stream().map(Problem::toString).toList());
             } catch (UncheckedIOException e) {
                 throw e.getCause();
+            } catch (IOException e) {
+                // Of a scene no other machine makes a database.
+                if (Files.isReadable(file) && !SceneFiles.isDatabase(file)) {
+                    throw new BadScene(List.of(Failures.sentence(e)));
+                }
+                throw e;
             }
         });
     }

@@ -27,7 +27,7 @@ public record Terminal(PrintWriter out, PrintWriter err, Results bytes, boolean 
     public static Terminal system() {
         Charset charset = charset();
         Results results = new Results(new FileOutputStream(FileDescriptor.out));
-        return new Terminal(new PrintWriter(results, false, charset), new PrintWriter(System.err, true, charset), results, isWatched(Messages.descriptor()));
+        return new Terminal(new PrintWriter(results.lines(), false, charset), new PrintWriter(System.err, true, charset), results, isWatched(Messages.descriptor()));
     }
 
     /** Prints a line of results. */
@@ -45,7 +45,7 @@ public record Terminal(PrintWriter out, PrintWriter err, Results bytes, boolean 
     /** Results for other programs to read: always UTF-8. */
     public PrintWriter table() {
         out.flush();
-        return new PrintWriter(new OutputStreamWriter(bytes, StandardCharsets.UTF_8));
+        return new PrintWriter(new OutputStreamWriter(bytes.lines(), StandardCharsets.UTF_8));
     }
 
     /** The letters that the process's own standard output can show. */

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -268,7 +269,11 @@ class DbCommandTest {
         Path broken = Scenes.broken(folder.resolve("broken.xml"));
         assertThat(Run.cli("db", "list", broken).err()).startsWith(broken + ":2:").hasLineCount(2);
         assertThat(Run.cli("db", "merge", database, broken).code()).isEqualTo(3);
-        assertThat(Run.cli("db", "rename", ball, "ball", "x").err()).isEqualTo(ball + ": this is a scene, not a database; it can be added to one\n");
+        for (List<Object> change : List.<List<Object>>of(List.of("rename", ball, "ball", "x"), List.of("add", ball, ball), List.of("remove", ball, "ball"), List.of("merge", ball, database))) {
+            Run run = Run.cli(Stream.concat(Stream.of("db"), change.stream()).toArray());
+            assertThat(run.err()).isEqualTo(ball + ": this is a scene, not a database; it can be added to one\n");
+            assertThat(run.code()).isEqualTo(3);
+        }
     }
 
     @ParameterizedTest
