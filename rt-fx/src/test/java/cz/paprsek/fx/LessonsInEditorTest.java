@@ -289,6 +289,24 @@ class LessonsInEditorTest {
         assertThat(text("#lesson-progress")).isEqualTo("10 of 10 done");
     }
 
+    /** Who leafs through the lessons clicks at one place. */
+    @Test
+    void theButtonsStayWhereTheyAreWhateverALessonIsCalled() {
+        editor.menu("lesson-plane-and-block");
+        double y = top("#lesson-next");
+        double height = Gui.on(() -> editor.gui.stage().getScene().lookup("#lesson-title").getLayoutBounds().getHeight());
+        editor.gui.click("#lesson-next");
+        editor.gui.until("a title of two lines", () -> editor.gui.stage().getScene().lookup("#lesson-title").getLayoutBounds().getHeight() > 1.5 * height);
+        assertThat(top("#lesson-next")).isEqualTo(y);
+    }
+
+    private double top(String id) {
+        return Gui.on(() -> {
+            Node node = editor.gui.stage().getScene().lookup(id);
+            return node.localToScene(node.getLayoutBounds()).getMinY();
+        });
+    }
+
     /** The tour asks for what is selected in the tree, in whose place it stands in a narrow window. */
     @Test
     void theTourTellsHowToReachTheTreeInANarrowWindow() {

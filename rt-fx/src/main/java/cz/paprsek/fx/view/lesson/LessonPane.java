@@ -98,7 +98,8 @@ public final class LessonPane extends BorderPane {
         HBox line = new HBox(6, progress, space, button("lesson.previous", "←", () -> desk.open(Lessons.NAMES.get(place - 1)), place > 0),
                 button("lesson.next", "→", () -> desk.open(Lessons.NAMES.get(place + 1)), place >= 0 && place + 1 < Lessons.NAMES.size()),
                 button("lesson.close", "✕", desk::close, true));
-        VBox top = new VBox(4, title, line);
+        // Below a title of two lines the buttons would not be where the last click was.
+        VBox top = new VBox(4, line, title);
         top.setId("lesson-top");
         return top;
     }
