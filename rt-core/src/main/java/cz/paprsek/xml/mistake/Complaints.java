@@ -36,6 +36,9 @@ public final class Complaints {
     private static final String SCENE = "scene";
     private static final String OF_MATERIAL = "; it belongs in a <material> inside";
     private static final Set<String> OPERATIONS = Arrays.stream(Csg.Operation.values()).map(Described::word).collect(Collectors.toUnmodifiableSet());
+    /** What is written out before a scene is read, and so not in its grammar. */
+    private static final List<String> BODIES_WRITTEN_OUT = List.of("repeat", "instance");
+    private static final List<String> WRITTEN_OUT = List.of("param", "define", "include", "animate", "repeat", "instance");
     private static final String ANIMATION = ElementTable.name(Animation.class);
     private static final int LONGEST_QUOTE = 60;
 
@@ -141,7 +144,9 @@ public final class Complaints {
             return "<" + parent + "> holds no elements, but here is <" + element + ">";
         }
         boolean isKnown = grammar.allElements().contains(element);
-        String suggestion = Wording.suggestion(element, allowed.keySet());
+        Set<String> words = new TreeSet<>(allowed.keySet());
+        words.addAll(parent.equals(SCENE) ? WRITTEN_OUT : OPERATIONS.contains(parent) ? BODIES_WRITTEN_OUT : List.of());
+        String suggestion = Wording.suggestion(element, words);
         return "<" + parent + "> has no element <" + element + ">" + (isKnown ? " here" : "") + (!suggestion.isEmpty() ? suggestion : !isKnown ? Wording.insteadOf(element)
                 : !parent.equals(SCENE) && grammar.children(allowed.getOrDefault(MATERIAL, "")).containsKey(element) ? OF_MATERIAL : "");
     }

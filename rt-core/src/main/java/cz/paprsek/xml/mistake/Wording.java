@@ -53,6 +53,15 @@ final class Wording {
             texture finish pigment surface appearance mat shader bsdf = material
             comment info note text title = description
             world = scene
+            parameter variable var constant = param
+            loop for copy copies array = repeat
+            definition def prototype = define
+            reference clone = instance
+            animation motion = animate
+            keyframe = key
+            terrain relief = height-field
+            implicit isofunction = isosurface
+            formula function equation = expression
 
             r rad = radius
             diameter = radius
@@ -98,7 +107,6 @@ final class Wording {
     /** Elements of others that nothing here stands for; behind them what to do. */
     private static final String NOT_HERE = """
             trimesh trianglemesh indexedfaceset triangle triangles polygon polyhedron facet = triangles stand in a file of their own: <mesh file="..."/>
-            heightfield terrain = bodies are made of solids, with union, difference and intersection, and of <mesh>
             import use xi:include = other scene files are brought in by <include file="..."/>
             """;
 
