@@ -217,6 +217,23 @@ class ModelsTest {
         assertThat(Run.cli("render", gilt, "-o", folder.resolve("gilt.png"), "--size", "8x6").code()).isZero();
     }
 
+    /** It is rendered all the same, as the model by itself is; not without a word. */
+    @Test
+    void materialsThatAModelLacksAreToldWhereTheSceneNamesTheModel() throws IOException {
+        painted();
+        Files.delete(folder.resolve("from/m.mtl"));
+        Path scene = Scenes.scene(folder.resolve("s.xml"), "\n<mesh name='pot' file='from/painted.obj'/>");
+        String sentence = "mesh \"pot\": its materials cannot be read: \"from/m.mtl\": there is no such file beside the scene";
+        assertThat(Run.cli("validate", scene).out()).contains("s.xml:2:", ": warning: " + sentence);
+        assertThat(Run.cli("validate", "--strict", scene).code()).isEqualTo(3);
+        Run run = Run.cli("render", scene, "-o", folder.resolve("pot.png"), "--size", "8x6");
+        assertThat(run.code()).isZero();
+        assertThat(run.err()).containsOnlyOnce(scene + ": note: " + sentence);
+        assertThat(Run.cli("render", scene, "-o", folder.resolve("p{frame}.png"), "--frames", "1-2", "--size", "8x6").err()).containsOnlyOnce(": note: " + sentence);
+        Path gilt = Scenes.scene(folder.resolve("gilt.xml"), "<mesh file='from/painted.obj' material='gold'/>");
+        assertThat(Run.cli("render", gilt, "-o", folder.resolve("gilt.png"), "--size", "8x6").err()).doesNotContain("note");
+    }
+
     @Test
     void aPartWithoutANameIsListedAsOne() throws IOException {
         Path parts = Files.writeString(folder.resolve("parts.obj"), OBJ + "g lid\nf 1 2 3\n");

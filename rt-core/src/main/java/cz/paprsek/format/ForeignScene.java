@@ -125,7 +125,7 @@ public record ForeignScene(Scene scene, Convention convention, Optional<Triangle
             } catch (IOException impossible) {
                 throw new UncheckedIOException("memory takes everything", impossible);
             }
-            return Mesh.of(file).read(new Mesh.Whole(file, triangles, Map.of(), Map.of(file, text.toByteArray()), Set.of()));
+            return Mesh.of(file).read(new Mesh.Whole(file, triangles, Map.of(), Map.of(file, text.toByteArray()), Set.of(), List.of()));
         }
     }
 

@@ -92,7 +92,7 @@ public final class MeshFiles {
             }
         });
         companions.removeAll(model.pictures().keySet());
-        return new Mesh.Whole(file, model.triangles(), materials, model.pictures(), companions);
+        return new Mesh.Whole(file, model.triangles(), materials, model.pictures(), companions, model.missing());
     }
 
     /**

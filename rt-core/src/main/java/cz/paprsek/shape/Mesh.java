@@ -56,7 +56,7 @@ public record Mesh(
 
     /** Triangles made in code, with their own normals or flat; such a mesh can be rendered, but no scene file can hold it. */
     public static Mesh of(Triangles triangles) {
-        return new Mesh("", "", 0, USUAL_WELD, new Content(new Whole("", true, triangles, Map.of(), Map.of(), Set.of()), "", 0, USUAL_WELD));
+        return new Mesh("", "", 0, USUAL_WELD, new Content(new Whole("", true, triangles, Map.of(), Map.of(), Set.of(), List.of()), "", 0, USUAL_WELD));
     }
 
     /** All of a file's triangles, which have not been read yet. */
@@ -126,6 +126,12 @@ public record Mesh(
         return whole == null ? Set.of() : whole.companions;
     }
 
+    /** What its own file needs beside itself and does without, since that cannot be read: its materials; in sentences. */
+    public List<String> missing() {
+        Whole whole = content.whole;
+        return whole == null ? List.of() : whole.missing;
+    }
+
     @Override
     public Bounds bounds() {
         return isRead() ? triangles().bounds() : Bounds.EMPTY;
@@ -156,6 +162,7 @@ public record Mesh(
         private final Map<String, Material> materials;
         private final Map<String, byte[]> within;
         private final Set<String> companions;
+        private final List<String> missing;
         /** What has been made of it and is still in use. */
         private final Map<String, WeakReference<Triangles>> made = new ConcurrentHashMap<>();
 
@@ -166,7 +173,7 @@ public record Mesh(
          * @param materials what parts are made of, by their names, where the scene gives a mesh no material
          */
         public Whole(String file, Triangles triangles, Map<String, Material> materials) {
-            this(file, triangles, materials, Map.of(), Set.of());
+            this(file, triangles, materials, Map.of(), Set.of(), List.of());
         }
 
         /**
@@ -174,18 +181,21 @@ public record Mesh(
          *
          * @param within the others that lie nowhere else, by their names as from the scene's folder; no copies are made
          * @param companions names of the others that lie beside it
+         * @param missing what should lie beside it and cannot be read, in sentences
          */
-        public Whole(String file, Triangles triangles, Map<String, Material> materials, Map<String, byte[]> within, Set<String> companions) {
-            this(file, false, triangles, materials, within, companions);
+        public Whole(String file, Triangles triangles, Map<String, Material> materials, Map<String, byte[]> within, Set<String> companions, List<String> missing) {
+            this(file, false, triangles, materials, within, companions, missing);
         }
 
-        private Whole(String file, boolean madeInCode, Triangles triangles, Map<String, Material> materials, Map<String, byte[]> within, Set<String> companions) {
+        private Whole(String file, boolean madeInCode, Triangles triangles, Map<String, Material> materials, Map<String, byte[]> within, Set<String> companions, List<String> missing) {
+            Objects.requireNonNull(missing, "missing");
             this.file = Objects.requireNonNull(file, "file");
             this.madeInCode = madeInCode;
             this.triangles = Objects.requireNonNull(triangles, "triangles");
             this.materials = Map.copyOf(materials);
             this.within = Map.copyOf(within);
             this.companions = Set.copyOf(companions);
+            this.missing = List.copyOf(missing);
         }
 
         private synchronized Triangles made(String part, double smoothAngle, double weld) {

@@ -5,6 +5,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.material.Share;
@@ -79,6 +80,7 @@ public final class SceneWarnings {
         List<BodyAt> read = parts.stream().filter(part -> !check.nests.isVast(part) && isThere(part.in(scene).shape())).toList();
         read.forEach(check::operands);
         read.stream().filter(part -> part.depth() == 0).forEach(check::object);
+        check.missing(parts);
         check.shining();
         check.glass();
         return check.warnings;
@@ -88,6 +90,13 @@ public final class SceneWarnings {
     public static List<SceneWarning> ofPaths(Scene scene) {
         SceneWarnings check = new SceneWarnings(scene);
         check.shining();
+        return check.warnings;
+    }
+
+    /** Of them those that tell what is missing beside the files of meshes, where materials of these files are to be shown; found at once. */
+    public static List<SceneWarning> ofMeshes(Scene scene) {
+        SceneWarnings check = new SceneWarnings(scene);
+        check.missing(check.nests.bodies().filter(check::isSeen).toList());
         return check.warnings;
     }
 
@@ -305,6 +314,14 @@ public final class SceneWarnings {
             Light light = scene.lights().get(i);
             if (isOpaque && light instanceof PlacedLight lamp && extent(lamp).allMatch(placed::contains)) {
                 add("light-inside", name(i), ScenePath.light(i), name(i) + " is inside " + label + ", which is opaque; it lights nothing outside");
+            }
+        }
+    }
+
+    private void missing(List<BodyAt> parts) {
+        for (BodyAt part : parts) {
+            if (part.in(scene).shape() instanceof Mesh mesh && part.source(scene) == Inherited.INHERITED) {
+                mesh.missing().forEach(sentence -> add("missing", label(part), part, "file", label(part) + ": " + sentence));
             }
         }
     }

@@ -225,6 +225,7 @@ final class FrameBatch {
         Assets known = assets == null ? batch.pictures().of(target.source().file()) : assets;
         if (assets == null || !files.equals(scene.files())) {
             batch.pictures().read(scene, known);
+            batch.tellMissing(target, scene, known);
             files = scene.files();
             assets = known;
         }

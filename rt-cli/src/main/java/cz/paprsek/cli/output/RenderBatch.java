@@ -16,6 +16,7 @@ import cz.paprsek.cli.shard.Footage;
 import cz.paprsek.cli.shard.Order;
 import cz.paprsek.cli.shard.Sharing;
 import cz.paprsek.cli.shard.Span;
+import cz.paprsek.format.MeshFiles;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles.GrowingPng;
 import cz.paprsek.image.ImageFormat;
@@ -78,7 +79,9 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
                 return new FrameBatch(this, target, read, reel.wishes().frames().get()).run();
             }
             Scene seen = view.of(read);
-            return render(target, read, seen, pictures.read(target.source().file(), seen), begin, new Still());
+            Assets assets = pictures.read(target.source().file(), seen);
+            tellMissing(target, seen, assets);
+            return render(target, read, seen, assets, begin, new Still());
         } catch (WrongUsage e) {
             return fail(target, Outcome.WRONG_USAGE, List.of(file + ": " + e.getMessage()));
         } catch (SceneFileException e) {
@@ -93,6 +96,13 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
             return fail(target, Outcome.FAILED, List.of(file + ": " + e.getMessage()));
         } catch (OutOfMemoryError e) {
             return fail(target, Outcome.FAILED, List.of(file + ": " + Memory.sentence("the scene", 0)));
+        }
+    }
+
+    /** Tells what is missing beside meshes; of a model by itself all is told already. */
+    void tellMissing(Target target, Scene scene, Assets assets) throws IOException {
+        if (progress != Progress.Maker.SILENT && !scene.files().isEmpty() && target.source().reading().notes().isEmpty()) {
+            SceneWarnings.ofMeshes(MeshFiles.read(scene, assets)).forEach(warning -> terminal.message(target.source().label() + ": note: " + warning.message()));
         }
     }
 

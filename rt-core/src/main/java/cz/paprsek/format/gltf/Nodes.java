@@ -201,6 +201,6 @@ final class Nodes {
     }
 
     Model model(Materials materials, Images images, Convention convention) {
-        return new Model(meshes.triangles(), meshes.materialOf(), materials.all(), images.within(), cameras, lights, convention, notes.toList());
+        return new Model(meshes.triangles(), meshes.materialOf(), materials.all(), images.within(), cameras, lights, convention, notes.toList(), notes.missing());
     }
 }

@@ -19,9 +19,10 @@ import java.util.Objects;
  * @param lights in the file's space
  * @param convention what its numbers mean
  * @param notes what is in the file but not taken along, in sentences
+ * @param missing what should be beside it and cannot be read, which is among them
  */
 public record Model(Triangles triangles, Map<String, String> materialOf, Map<String, Material> materials, Map<String, byte[]> pictures,
-        List<Camera> cameras, List<Light> lights, Convention convention, List<String> notes) {
+        List<Camera> cameras, List<Light> lights, Convention convention, List<String> notes, List<String> missing) {
     public Model {
         Objects.requireNonNull(triangles, "triangles");
         materialOf = Map.copyOf(materialOf);
@@ -30,10 +31,11 @@ public record Model(Triangles triangles, Map<String, String> materialOf, Map<Str
         lights = List.copyOf(lights);
         Objects.requireNonNull(convention, "convention");
         notes = List.copyOf(notes);
+        missing = List.copyOf(missing);
     }
 
     /** Triangles of no known material. */
     public static Model of(Triangles triangles, Convention convention, Notes notes) {
-        return new Model(triangles, Map.of(), Map.of(), Map.of(), List.of(), List.of(), convention, notes.toList());
+        return new Model(triangles, Map.of(), Map.of(), Map.of(), List.of(), List.of(), convention, notes.toList(), notes.missing());
     }
 }

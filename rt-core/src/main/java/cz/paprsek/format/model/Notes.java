@@ -10,6 +10,7 @@ public final class Notes {
     private static final int MOST = 50;
 
     private final Map<String, Met> kinds = new LinkedHashMap<>();
+    private final List<String> missing = new ArrayList<>();
 
     private record Met(String place, long times) {}
 
@@ -18,6 +19,19 @@ public final class Notes {
         if (kinds.size() < MOST || kinds.containsKey(what)) {
             kinds.merge(what, new Met(place, 1), (old, more) -> new Met(old.place, old.times + 1));
         }
+    }
+
+    /** What cannot be read of that which should be beside the file. */
+    public void missing(long line, String what) {
+        if (missing.size() < MOST && !missing.contains(what)) {
+            missing.add(what);
+        }
+        line(line, what);
+    }
+
+    /** What is missing beside the file, in sentences. */
+    public List<String> missing() {
+        return List.copyOf(missing);
     }
 
     public void line(long line, String what) {

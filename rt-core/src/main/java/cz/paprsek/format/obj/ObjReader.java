@@ -70,7 +70,7 @@ public final class ObjReader {
             notes.add("", Polygon.HURRIED);
         }
         return new Model(corners.build(), parts.materials(), materials, Map.of(), List.of(), List.of(),
-                CONVENTION, notes.toList());
+                CONVENTION, notes.toList(), notes.missing());
     }
 
     private void take(Block block, long before) throws IOException {
@@ -300,7 +300,7 @@ public final class ObjReader {
         } catch (FormatFault wrong) {
             throw lines.fault("in the materials " + FormatFault.quoted(name) + ", " + wrong.getMessage());
         } catch (IOException unreadable) {
-            notes.line(lines.line(), "its materials cannot be read: " + unreadable.getMessage());
+            notes.missing(lines.line(), "its materials cannot be read: " + unreadable.getMessage());
         }
     }
 }
