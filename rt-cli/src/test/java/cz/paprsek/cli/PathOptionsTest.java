@@ -46,7 +46,7 @@ class PathOptionsTest {
     void whatIsDenoisedIsWholeAndItsBytesDoNotTellHowItWasMade() throws Exception {
         Path picture = folder.resolve("a.pfm");
         Path atOnce = folder.resolve("b.pfm");
-        render(picture, "--denoise", "--samples", 64, "--resume", "--size", "24x16");
+        assertThat(render(picture, "--denoise", "--samples", 64, "--resume", "--size", "24x16").err()).containsPattern("traced after \\d+ s, taking the noise out");
         assertThat(render(picture, "--denoise", "--samples", 128, "--resume", "--size", "24x16").code()).isEqualTo(ExitCode.DONE);
         render(atOnce, "--denoise", "--samples", 128, "--size", "24x16", "--threads", 1);
         assertThat(picture).hasSameBinaryContentAs(atOnce);

@@ -37,6 +37,9 @@ public abstract class Progress implements RenderMonitor, AutoCloseable {
         Maker SILENT = (scene, options, stop) -> new Progress(options, stop) {
             @Override
             void show(Pace pace, double seconds) {}
+
+            @Override
+            void showDenoising(double seconds) {}
         };
 
         Progress start(String scene, RenderOptions options, Stop stop);
@@ -51,6 +54,14 @@ public abstract class Progress implements RenderMonitor, AutoCloseable {
 
     /** Shows how far it is, so many seconds after the beginning; called by one thread at a time. */
     abstract void show(Pace pace, double seconds);
+
+    /** Shows that all is traced, and noise is being taken out. */
+    abstract void showDenoising(double seconds);
+
+    @Override
+    public final synchronized void denoising() {
+        showDenoising(seconds());
+    }
 
     @Override
     public final boolean cancelled() {

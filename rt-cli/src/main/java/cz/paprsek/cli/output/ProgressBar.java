@@ -12,6 +12,7 @@ import java.util.Locale;
 public final class ProgressBar extends Progress {
     private static final int LONGEST_NAME = 24;
     private static final int CELLS = 20;
+    private static final String DENOISING = "traced; taking the noise out";
     /** The terminal is asked for its width each time, which costs milliseconds. */
     private static final double SECONDS_BETWEEN = 0.5;
 
@@ -38,6 +39,17 @@ public final class ProgressBar extends Progress {
         drawn = seconds;
         columns = Columns.ofTerminal();
         draw(line(columns, name, pace.share(), pace.pixelsPerSecond(seconds) * raysPerPixel, pace.secondsLeft(seconds)));
+    }
+
+    @Override
+    void showDenoising(double seconds) {
+        draw(denoising(Columns.ofTerminal(), name));
+    }
+
+    /** One line, as much of it as there is room for. */
+    static String denoising(int columns, String name) {
+        int room = Math.min(LONGEST_NAME, columns - 2 - DENOISING.length());
+        return room > 0 ? Columns.end(name, room) + " " + DENOISING : DENOISING.length() < columns ? DENOISING : "";
     }
 
     @Override

@@ -22,6 +22,11 @@ final class ProgressInLines extends Progress {
     }
 
     @Override
+    void showDenoising(double seconds) {
+        terminal.message(String.format(Locale.ROOT, "%s: traced after %.0f s, taking the noise out", scene, seconds));
+    }
+
+    @Override
     void show(Pace pace, double seconds) {
         if (pace.share() < 1 && seconds >= said + SECONDS_BETWEEN) {
             said = seconds;

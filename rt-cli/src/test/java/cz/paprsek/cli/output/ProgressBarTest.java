@@ -16,6 +16,12 @@ class ProgressBarTest {
     }
 
     @Test
+    void whatDenoisesIsNotSaidToBeDone() {
+        assertThat(ProgressBar.denoising(80, "room.xml")).isEqualTo("room.xml traced; taking the noise out");
+        assertThat(ProgressBar.denoising(30, "room.xml")).isEqualTo("traced; taking the noise out");
+    }
+
+    @Test
     void nothingIsSaidOfTheRestWhileNothingIsKnown() {
         assertThat(ProgressBar.line(80, "a", 0, 0, Double.NaN)).doesNotContain("left");
     }
@@ -26,6 +32,7 @@ class ProgressBarTest {
         for (String name : new String[] {"a.xml", "scenes/some/where/with a very long name indeed.xml", "場面の名前がとても長い.xml", "e\u0301te\u0301.xml"}) {
             String line = ProgressBar.line(columns, name, 0.999, 123.4e6, 359_999);
             assertThat(Columns.of(line)).as(line).isLessThan(columns);
+            assertThat(Columns.of(ProgressBar.denoising(columns, name))).isLessThan(columns);
         }
         assertThat(ProgressBar.line(columns, "a", 0.5, 1e6, 9)).matches(columns > 20 ? ".*50 %.* left" : ".*");
     }
