@@ -16,6 +16,7 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.value.PixelPlace;
 import cz.paprsek.cli.value.Size;
 import cz.paprsek.drawing.TreeDrawing;
+import cz.paprsek.image.ImageFormat;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.Failures;
 import cz.paprsek.render.RenderMonitor;
@@ -134,6 +135,9 @@ final class ExplainCommand implements Callable<Integer> {
         if (json) {
             stop.oweLastWords();
         }
+        svg.filter(drawing -> ImageFormat.ofFile(drawing.toString()).isPresent()).ifPresent(picture -> {
+            throw new WrongUsage("--svg draws the rays in SVG: name a file that ends in .svg, not " + picture);
+        });
         svg.ifPresent(drawing -> Originals.spare(drawing, "the drawing", "the scene", List.of(file)));
         Wishes wishes = new Wishes(size, maxDepth, rays, light, Optional.empty(), Optional.empty());
         try {

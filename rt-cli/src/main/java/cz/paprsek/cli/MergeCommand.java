@@ -26,6 +26,7 @@ import cz.paprsek.image.ImageOptions.Origin;
 import cz.paprsek.io.Failures;
 import cz.paprsek.io.Json;
 import cz.paprsek.origin.Origins;
+import cz.paprsek.text.Numbers;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.file.Files;
@@ -90,6 +91,9 @@ final class MergeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        if (!(patience >= 0)) {
+            throw new WrongUsage("--wait must be a number of seconds, 0 or above, but is " + Numbers.text(patience));
+        }
         telling.prepare(output, stop);
         Target target = target(output);
         new Writing(bits, uncompressed).check(List.of(target.format()));

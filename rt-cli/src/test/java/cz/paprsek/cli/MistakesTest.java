@@ -71,6 +71,8 @@ class MistakesTest {
         "render http://x.org/a.xml            | 'http://x.org/a.xml' is an address, and nothing is fetched; give the path of a file",
         "render a.xml -o file:///tmp/a.png    | 'file:///tmp/a.png' is an address, and nothing is fetched; give the path of a file",
         "convert a.xml -o a.pov               | unknown option \"-o\"; the file stands there without an option: paprsek convert SCENE FILE",
+        "merge parts -o a.png --wait -1       | --wait must be a number of seconds, 0 or above, but is -1",
+        "explain a.xml 1,1 --svg rays.png     | --svg draws the rays in SVG: name a file that ends in .svg, not rays.png",
         "a.xml                                | there is no command \"a.xml\"; to render it, say paprsek render a.xml",
     })
     void wrongUsageIsExplainedInOneSentence(String line, String sentence) {

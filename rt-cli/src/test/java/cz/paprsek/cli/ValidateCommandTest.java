@@ -288,6 +288,11 @@ class ValidateCommandTest {
         Files.write(assets.resolve("sky.hdr"), new byte[1]);
         Files.write(assets.resolve("gone.png"), new byte[1]);
         assertThat(Run.cli("validate", file, "--assets", assets).code()).isZero();
+        for (String command : new String[] {"validate", "render", "info"}) {
+            Run nowhere = Run.cli(command, file, "--assets", folder.resolve("nowhere"));
+            assertThat(nowhere.err()).contains("--assets: " + folder.resolve("nowhere") + ": no such directory");
+            assertThat(nowhere.code()).isEqualTo(2);
+        }
         assertThat(Run.cli("validate", file, "--json").out()).contains("\"valid\":false", "\"line\":5");
     }
 

@@ -135,6 +135,7 @@ class GltfTest {
         "{} | the document: here must be \"asset\" with the version of the format",
         "[] | the document: this must be an object in { }",
         "{'asset':{'version':'2.0'},'nodes':[{'children':[1]},{'children':[0]}],'scenes':[{'nodes':[0]}]} | nodes[0]: this node is within itself, or has two parents",
+        "{'asset':{'version':'2.0'},'scenes':[{'nodes':[0]}]} | scenes[0].nodes: these are numbers of things of which there are none",
         "{'asset':{'version':'2.0'},'nodes':[{'children':[7]}]} | nodes[0].children: these must be whole numbers from 0 to 0",
         "{'asset':{'version':'2.0'},'nodes':[{'mesh':3}]} | the document: there is no meshes[3], but 0 of them",
         "{'asset':{'version':'2.0'}} | the document: there is no triangle in the scene of this file",

@@ -107,6 +107,7 @@ class RecipeTest {
         "<sphere radius='{2'/> | 2:17 | has no \"}\"",
         "<sphere radius='{0-1}'/> | 2:9 | radius must be a finite number above 0, but is \"-1\"",
         "<param name='a' value='{b}'/><param name='b' value='{a}'/> | 2:54 | needs itself",
+        "<param name='a' value='3' min='6' max='2'/> | 2:35 | max must be at least min, which is 6, but is 2",
         "<param name='a' value='7' max='5'/> | 2:17 | must be a number, 5 at most, but is 7",
         "<param name='a'/> | 2:1 | needs the attribute \"value\"",
         "<param name='sin' value='1'/> | 2:8 | needs a name",

@@ -316,7 +316,11 @@ final class Editor implements Notices {
     @Override
     public void problems(String header, List<Problem> problems) {
         if (window != null) {
-            window.problems().show(header, problems);
+            if (problems.isEmpty()) {
+                window.problems().hide();
+            } else {
+                window.problems().show(header, problems);
+            }
         }
     }
 

@@ -120,6 +120,7 @@ final class FileActions {
         Optional<ForeignFormat> foreign = ForeignFormat.ofName(name);
         FileHead head = FileHead.of(file);
         if (foreign.isEmpty() && head.isOther()) {
+            notices.problems("", List.of());
             notices.say(texts.get().of("file.other", name, ForeignFormat.meshes()));
         } else if (foreign.isEmpty() && head.isLesson()) {
             openLesson(file);
@@ -204,6 +205,7 @@ final class FileActions {
         } else if (fault instanceof LessonException wrong) {
             notices.problems(texts.get().of("lesson.problems", file.getFileName(), wrong.problems().size()), wrong.problems());
         } else if (fault instanceof IOException unreadable) {
+            notices.problems("", List.of());
             notices.wrong(Failures.sentence(file.toString(), unreadable));
         } else {
             notices.say("");

@@ -15,7 +15,7 @@ interface Notices {
     /** Says a sentence at the top of the window, as it is, with answers to choose from. */
     void ask(String sentence, List<MessageBar.Choice> choices);
 
-    /** Lists what is wrong with a file. */
+    /** Lists what is wrong with a file, in place of what was listed before; nothing, if there is nothing to list. */
     void problems(String header, List<Problem> problems);
 
     /** Takes back what was asked or listed. */

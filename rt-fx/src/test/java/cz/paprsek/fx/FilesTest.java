@@ -217,6 +217,10 @@ class FilesTest {
         editor.gui.until("problems are listed again", () -> editor.gui.stage().getScene().lookup("#problems").isVisible());
         editor.gui.keys(KeyCode.ESCAPE);
         assertThat(editor.gui.stage().getScene().lookup("#problems").isVisible()).isFalse();
+        editor.gui.act(() -> editor.editor.files().open(file));
+        editor.gui.until("problems are listed once more", () -> editor.gui.stage().getScene().lookup("#problems").isVisible());
+        editor.gui.act(() -> editor.editor.files().open(folder));
+        editor.gui.until("the list of another file is gone", () -> !editor.gui.stage().getScene().lookup("#problems").isVisible());
     }
 
     /** Beside the scene, with what it needs; the scene itself stays where it is. */

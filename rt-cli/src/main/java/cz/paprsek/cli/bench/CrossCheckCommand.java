@@ -117,9 +117,12 @@ public final class CrossCheckCommand implements Callable<Integer> {
             }
             SceneReading reading = SceneReading.of(file);
             reading.sentences().forEach(terminal::message);
+            if ((record || live.isEmpty()) && reading.scenes().size() > 1) {
+                throw new WrongUsage(file + " is a database of " + reading.scenes().size() + " scenes, and a recorded picture lies beside a file of one");
+            }
             worst = Math.max(worst, reading.isValid() ? ExitCode.DONE : ExitCode.BAD_SCENE);
             for (Scene scene : reading.scenes()) {
-                worst = Math.max(worst, check(file, scene, live));
+                worst = Math.max(worst, check(file, name(file, scene, reading.scenes().size()), scene, live));
             }
         }
         return worst;
@@ -137,8 +140,12 @@ public final class CrossCheckCommand implements Callable<Integer> {
         }
     }
 
-    private int check(Path file, Scene scene, Optional<PovRay> live) throws InterruptedException {
-        String name = Objects.requireNonNullElse(file.getFileName(), file).toString();
+    /** That of the file; of one of several scenes with its own. */
+    private static String name(Path file, Scene scene, int scenes) {
+        return Objects.requireNonNullElse(file.getFileName(), file) + (scenes > 1 ? ": " + scene.name() : "");
+    }
+
+    private int check(Path file, String name, Scene scene, Optional<PovRay> live) throws InterruptedException {
         try {
             Scene seen = Cameras.through(frame.of(scene), camera);
             Scene sized = size.map(s -> seen.withSettings(seen.settings().withSize(s.width(), s.height()))).orElse(seen);
@@ -160,7 +167,7 @@ public final class CrossCheckCommand implements Callable<Integer> {
 
     private void draw(String name, CrossCheck check) throws IOException {
         if (heatmaps.isPresent()) {
-            Path map = heatmaps.get().resolve(name + ".png");
+            Path map = heatmaps.get().resolve(name.replaceAll("[^\\p{L}\\p{N}._ -]+", "-") + ".png");
             stop.guard(() -> ImageFiles.write(ImageComparison.heatmap(check.ours(), check.theirs(), tolerance), map));
         }
     }

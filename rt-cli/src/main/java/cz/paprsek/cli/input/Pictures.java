@@ -1,6 +1,7 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.format.MeshFiles;
 import cz.paprsek.material.MaterialSource.Inherited;
 import cz.paprsek.scene.Scene;
@@ -8,6 +9,7 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Mesh;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -25,6 +27,9 @@ public final class Pictures {
 
     /** Those of the scenes of a file, none read yet. */
     public Assets of(Path file) {
+        if (folder.isPresent() && !Files.isDirectory(folder.get())) {
+            throw new WrongUsage("--assets: " + folder.get() + (Files.exists(folder.get()) ? " is not a directory" : ": no such directory"));
+        }
         return folder.map(Assets::in).orElseGet(() -> Incoming.isOnce(file) ? Assets.none() : Assets.beside(file));
     }
 

@@ -62,6 +62,20 @@ class CrossCheckCommandTest {
         assertThat(Run.cli("crosscheck", ball, "--record", "--frame", 2).err()).contains("--record is of scenes as they are written");
     }
 
+    /** Each has a row, and a map, of its own. */
+    @Test
+    void theScenesOfADatabaseAreToldApart() throws IOException {
+        Path database = folder.resolve("two.xml");
+        for (String name : new String[] {"red", "a/b"}) {
+            assertThat(Run.cli("db", "add", database, Scenes.ball(folder.resolve("ball.xml")), "--name", name).code()).isZero();
+        }
+        assertThat(Run.cli("crosscheck", "--recorded", database).err()).contains("two.xml is a database of 2 scenes, and a recorded picture lies beside a file of one");
+        assumeTrue(PovRay.installed().isPresent(), "povray is not installed");
+        Run run = Run.cli("crosscheck", database, "--size", "32x24", "--tolerance", 0, "--at-most", 0, "--heatmaps", folder.resolve("maps"));
+        assertThat(run.out()).containsPattern("two\\.xml: red +[0-9]").containsPattern("two\\.xml: a/b +[0-9]");
+        assertThat(folder.resolve("maps").toFile().list()).containsExactlyInAnyOrder("two.xml- red.png", "two.xml- a-b.png");
+    }
+
     /** POV-Ray finds a picture only by letters of ASCII: it is told, and given, another name. */
     @Test
     void povRayFindsPicturesWhateverTheirNames() throws IOException {

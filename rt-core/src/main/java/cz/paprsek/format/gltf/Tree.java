@@ -175,7 +175,7 @@ record Tree(String path, Map<String, Object> members) {
         int[] indexes = new int[list.size()];
         for (int i = 0; i < indexes.length; i++) {
             if (!(list.get(i) instanceof Double number) || !(number >= 0 && number < limit && number == Math.rint(number))) {
-                throw fault(name, "these must be whole numbers from 0 to " + (limit - 1));
+                throw fault(name, limit == 0 ? "these are numbers of things of which there are none" : "these must be whole numbers from 0 to " + (limit - 1));
             }
             indexes[i] = number.intValue();
         }

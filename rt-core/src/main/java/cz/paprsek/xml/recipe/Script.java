@@ -194,6 +194,10 @@ public final class Script {
             OptionalDouble least = bound(param, "min", names);
             OptionalDouble most = bound(param, "max", names);
             OptionalDouble step = bound(param, "step", names);
+            if (least.isPresent() && most.isPresent() && least.getAsDouble() > most.getAsDouble()) {
+                mistakes.add(param.node(), "max", "max must be at least min, which is " + Numbers.text(least.getAsDouble()) + ", but is " + Numbers.text(most.getAsDouble()));
+                return Optional.empty();
+            }
             boolean isWithin = param.number().isEmpty() || (param.number().getAsDouble() >= least.orElse(-Double.MAX_VALUE) && param.number().getAsDouble() <= most.orElse(Double.MAX_VALUE));
             boolean isNumber = param.number().isPresent() || (least.isEmpty() && most.isEmpty() && step.isEmpty());
             if (!isWithin || !isNumber) {
