@@ -13,7 +13,7 @@ final class Overlay extends Layer {
 
     /** @param name for style sheets and tests */
     Overlay(String name) {
-        super(name);
+        getStyleClass().add(name);
         setMouseTransparent(true);
         setManaged(false);
     }

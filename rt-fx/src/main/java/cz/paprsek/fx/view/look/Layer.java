@@ -16,9 +16,11 @@ public class Layer extends Canvas {
     private @Nullable Object shown;
     private int drawings;
 
-    /** @param name for style sheets and tests */
-    public Layer(String name) {
-        getStyleClass().add(name);
+    /** One with a name for style sheets and tests. */
+    public static Layer named(String name) {
+        Layer layer = new Layer();
+        layer.getStyleClass().add(name);
+        return layer;
     }
 
     public final void setSize(double width, double height) {

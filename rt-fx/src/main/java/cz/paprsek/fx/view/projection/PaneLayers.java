@@ -59,10 +59,10 @@ final class PaneLayers {
     private final EditorModel model;
     private final Axes axes;
     private final Figures figures;
-    private final Layer rest = new Layer("rest");
-    private final Layer selected = new Layer("selected");
-    private final Layer signs = new Layer("signs");
-    private final Layer grabbed = new Layer("grabbed");
+    private final Layer rest = Layer.named("rest");
+    private final Layer selected = Layer.named("selected");
+    private final Layer signs = Layer.named("signs");
+    private final Layer grabbed = Layer.named("grabbed");
     /** Across the pane, one each way: on a layer they would have all of the pane painted anew, with all layers, whenever something is dragged along one of them. */
     private final List<Line> guides = List.of(guide(), guide());
     /** What is drawn besides the scene. */
