@@ -40,8 +40,8 @@ final class RaysForm {
         Hint.of(integrator).set(texts.of("render.integrator.hint"));
         integrator.getSelectionModel().selectFirst();
         integrator.valueProperty().addListener((property, old, now) -> turnTo(now.value()));
-        error = new RealField("render-error", texts.of("render.error.hint"), texts, value -> value > 0, RenderSettings.DEFAULT.error());
-        confidence = new RealField("render-confidence", texts.of("render.confidence.hint"), texts, value -> value > 0 && value < 1, RenderSettings.DEFAULT.confidence());
+        error = RealField.of("render-error", texts.of("render.error.hint"), texts, value -> value > 0, RenderSettings.DEFAULT.error());
+        confidence = RealField.of("render-confidence", texts.of("render.confidence.hint"), texts, value -> value > 0 && value < 1, RenderSettings.DEFAULT.confidence());
         for (PixelFilter kind : PixelFilter.values()) {
             filter.getItems().add(new Named<>(kind, texts.of("kind." + kind)));
         }

@@ -56,6 +56,7 @@ final class RenderForm extends FormGrid {
 
     RenderForm(Texts texts) {
         this.texts = texts;
+        lookLikeAForm();
         size = new SizeFields(texts);
         region = new RegionFields(texts);
         rays = new RaysForm(texts);

@@ -16,7 +16,8 @@ import javafx.scene.layout.Region;
 public class FormGrid extends GridPane {
     private int rows;
 
-    protected FormGrid() {
+    /** Looks as all such forms do. */
+    protected final void lookLikeAForm() {
         getStyleClass().add("form-grid");
     }
 

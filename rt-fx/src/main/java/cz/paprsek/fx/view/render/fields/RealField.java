@@ -11,11 +11,13 @@ public class RealField extends CheckedField {
     private final DoublePredicate range;
 
     /**
+     * One that is named by its hint.
+     *
      * @param range whether a number is allowed
      * @param first the number that is shown at first
      */
-    public RealField(String id, String hint, Texts texts, DoublePredicate range, double first) {
-        this(id, hint, hint, texts, range, first);
+    public static RealField of(String id, String hint, Texts texts, DoublePredicate range, double first) {
+        return new RealField(id, hint, hint, texts, range, first);
     }
 
     /** @param name what it is for; the hint also says within which range */
