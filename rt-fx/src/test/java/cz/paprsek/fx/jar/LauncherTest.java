@@ -22,7 +22,12 @@ class LauncherTest {
 
     private static Started start(String display, String... words) throws Exception {
         ProcessBuilder builder = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-cp", System.getProperty("java.class.path"), Launcher.class.getName());
+                "-cp", System.getProperty("java.class.path"));
+        if (Runtime.version().feature() >= 24) {
+            // As the jar's manifest says, which a class path has not: else Java warns of how JavaFX loads what it has in C.
+            builder.command().add("--enable-native-access=ALL-UNNAMED");
+        }
+        builder.command().add(Launcher.class.getName());
         builder.command().addAll(List.of(words));
         builder.environment().remove("DISPLAY");
         if (!display.isEmpty()) {
