@@ -194,6 +194,7 @@ final class ConvertCommand implements Callable<Integer> {
         List<String> warnings = new ArrayList<>();
         try {
             Originals.spare(target, "the new file", "the scene", List.of(scene));
+            Originals.spare(target, "the new file", "the scene's own", given.pictures().files(scene, content.recipe().included().keySet()));
             stop.write(target, () -> {
                 switch (ending) {
                     case "pov" -> {

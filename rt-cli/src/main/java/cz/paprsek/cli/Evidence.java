@@ -31,6 +31,11 @@ final class Evidence {
         });
     }
 
+    /** @throws WrongUsage if one would be written over a file that the scene needs */
+    void spare(List<Path> own) {
+        targets.values().forEach(target -> Originals.spare(target, "evidence", "the scene's own", own));
+    }
+
     private void add(Path picture, Path target) {
         targets.forEach((other, taken) -> {
             if (taken.equals(target)) {

@@ -85,6 +85,7 @@ final class GradeCommand implements Callable<Integer> {
         try {
             Scene scene = chosen.of(file);
             Assets assets = chosen.pictures().read(file, scene);
+            drawn.spare(chosen.pictures().files(file, assets.digests().keySet()));
             RenderSettings settings = samples.map(scene.settings()::withSamples).orElse(scene.settings());
             GradeReport report = new GradeReport(terminal, stop, csv, json, files.size() > 1 || !Path.of(words.get(0)).equals(files.get(0)), drawn);
             report.begin();

@@ -230,6 +230,8 @@ class ModelsTest {
         assertThat(run.code()).isZero();
         assertThat(run.err()).containsOnlyOnce(scene + ": note: " + sentence);
         assertThat(Run.cli("render", scene, "-o", folder.resolve("p{frame}.png"), "--frames", "1-2", "--size", "8x6").err()).containsOnlyOnce(": note: " + sentence);
+        Path many = Scenes.scene(folder.resolve("many.xml"), "<repeat count='3'><mesh file='from/painted.obj' position='{i} 0 0'/></repeat><union><mesh file='from/painted.obj'/><sphere radius='1'/></union>");
+        assertThat(Run.cli("render", many, "-o", folder.resolve("many.png"), "--size", "8x6").err()).as("once of a file").containsOnlyOnce(": note: mesh ");
         Path gilt = Scenes.scene(folder.resolve("gilt.xml"), "<mesh file='from/painted.obj' material='gold'/>");
         assertThat(Run.cli("render", gilt, "-o", folder.resolve("gilt.png"), "--size", "8x6").err()).doesNotContain("note");
     }

@@ -64,6 +64,17 @@ class WorksheetCommandTest {
         assertThat(page.replace("http://www.w3.org/2000/svg", "")).as("nothing is fetched").doesNotContain("http", "src=", "@import");
     }
 
+    /** Or as near to it as makes no difference in four decimals. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"0 | (0, 0, 0)", "0.00001 | (0, 0, 1)"})
+    void aLightMayStandInThePoint(String height, String direction) throws IOException {
+        Files.writeString(scene, """
+                <scene xmlns="urn:paprsek:scene:1"><render width="1" height="1"/><camera position="0 0 5" direction="0 0 -1"/>
+                <point-light position="0 0 %s"/><rectangle min="-1 -1" max="1 1"/></scene>
+                """.formatted(height));
+        assertThat(solutions(sheet("--pixel", "0,0"))).contains("L = (Q − P)/|Q − P|", direction);
+    }
+
     @Test
     void aFileThatEndsInPdfIsOne() throws IOException {
         Path file = folder.resolve("sheet.PDF");

@@ -66,7 +66,7 @@ public final class Belongings {
         }
         Scene read = MeshFiles.read(scene, assets, (place, problem) -> { });
         List<String> missing = new ArrayList<>();
-        Map<Path, AtomicFile.Content> copies = new LinkedHashMap<>();
+        Map<Path, String> copies = new LinkedHashMap<>();
         for (String name : names(read, areUnpacked)) {
             Path copy = beside(sceneFile, named.apply(name));
             InputStream original;
@@ -77,16 +77,17 @@ public final class Belongings {
                 continue;
             }
             try (original) {
-                if (!Files.exists(copy)) {
-                    copies.put(copy, out -> copy(name, out));
-                } else if (!isSame(original, copy)) {
+                String other = copies.get(copy);
+                if (other == null && !Files.exists(copy)) {
+                    copies.put(copy, name);
+                } else if (!isSame(original, other == null ? Files.newInputStream(copy) : assets.open(other))) {
                     throw new IOException("there is another " + (ForeignFormat.ofName(name).isPresent() ? "mesh " : name.endsWith(".ttf") ? "font " : "picture ") + name + " beside it; give one of them another name");
                 }
             }
         }
-        for (Map.Entry<Path, AtomicFile.Content> copy : copies.entrySet()) {
+        for (Map.Entry<Path, String> copy : copies.entrySet()) {
             Folders.makeFor(copy.getKey());
-            AtomicFile.write(copy.getKey(), copy.getValue());
+            AtomicFile.write(copy.getKey(), out -> copy(copy.getValue(), out));
         }
         return missing;
     }
@@ -120,8 +121,8 @@ public final class Belongings {
         }
     }
 
-    private static boolean isSame(InputStream original, Path file) throws IOException {
-        try (InputStream other = Files.newInputStream(file)) {
+    private static boolean isSame(InputStream original, InputStream other) throws IOException {
+        try (other) {
             byte[] block;
             do {
                 block = original.readNBytes(BLOCK);

@@ -1,6 +1,7 @@
 package cz.paprsek.format;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.format.model.Companions;
 import cz.paprsek.format.model.Model;
 import cz.paprsek.io.PlainText;
 import cz.paprsek.material.Material;
@@ -139,14 +140,34 @@ public final class MeshFiles {
             }
             ForeignFormat format = ForeignFormat.of(name, head).filter(ForeignFormat::isMesh)
                     .orElseThrow(() -> new IOException("this is none of the files that hold meshes: " + ForeignFormat.meshes()));
-            Set<String> asked = new TreeSet<>();
-            Model model = ForeignFiles.model(name, format, again, size, other -> {
-                String beside = folder(name) + Objects.requireNonNull(other, "other");
-                ByteBuffer content = assets.bytes(beside);
-                asked.add(beside);
-                return content;
-            });
-            return new Read(model, asked, new ConcurrentHashMap<>());
+            Beside beside = new Beside(assets, folder(name), new TreeSet<>());
+            return new Read(ForeignFiles.model(name, format, again, size, beside), beside.asked, new ConcurrentHashMap<>());
+        }
+    }
+
+    /**
+     * The files beside one that is read.
+     *
+     * @param asked those of them that were read with it
+     */
+    private record Beside(Assets assets, String folder, Set<String> asked) implements Companions {
+        @Override
+        public ByteBuffer bytes(String name) throws IOException {
+            String beside = folder + Objects.requireNonNull(name, "name");
+            ByteBuffer content = assets.bytes(beside);
+            asked.add(beside);
+            return content;
+        }
+
+        /** It is not read: the scene may not need it. */
+        @Override
+        public boolean isThere(String name) {
+            try {
+                assets.open(folder + Objects.requireNonNull(name, "name")).close();
+                return true;
+            } catch (IOException unreadable) {
+                return false;
+            }
         }
     }
 

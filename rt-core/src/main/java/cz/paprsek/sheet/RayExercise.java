@@ -134,7 +134,8 @@ final class RayExercise {
             add(name, Pocket.of(term.added()));
             return;
         }
-        Vec3 l = ray.target().map(at -> Pocket.of(Pocket.of(at).minus(p).normalized())).orElseGet(() -> Pocket.of(ray.direction()));
+        // A light that stands in the point, as far as four decimals tell, has no direction by them.
+        Vec3 l = ray.target().map(at -> Pocket.of(at).minus(p)).filter(way -> !way.equals(Vec3.ZERO)).map(way -> Pocket.of(way.normalized())).orElseGet(() -> Pocket.of(ray.direction()));
         if (ray.target().isPresent()) {
             find(name + ": L = (Q − P)/|Q − P|", "", Pocket.text(l));
         }

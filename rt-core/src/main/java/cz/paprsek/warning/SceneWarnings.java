@@ -96,7 +96,9 @@ public final class SceneWarnings {
     /** Of them those that tell what is missing beside the files of meshes, where materials of these files are to be shown; found at once. */
     public static List<SceneWarning> ofMeshes(Scene scene) {
         SceneWarnings check = new SceneWarnings(scene);
-        check.missing(check.nests.bodies().filter(check::isSeen).toList());
+        // Of a million balls none is asked by itself.
+        check.missing(IntStream.range(0, scene.objects().size()).filter(i -> scene.objects().get(i).shape() instanceof Mesh || scene.objects().get(i).shape() instanceof Csg)
+                .mapToObj(ScenePath::body).flatMap(check.nests::parts).filter(check::isSeen).toList());
         return check.warnings;
     }
 
@@ -318,9 +320,11 @@ public final class SceneWarnings {
         }
     }
 
+    /** Of each file once, however often it is shown. */
     private void missing(List<BodyAt> parts) {
+        Set<String> told = new HashSet<>();
         for (BodyAt part : parts) {
-            if (part.in(scene).shape() instanceof Mesh mesh && part.source(scene) == Inherited.INHERITED) {
+            if (part.in(scene).shape() instanceof Mesh mesh && part.source(scene) == Inherited.INHERITED && !mesh.missing().isEmpty() && told.add(mesh.file())) {
                 mesh.missing().forEach(sentence -> add("missing", label(part), part, "file", label(part) + ": " + sentence));
             }
         }

@@ -78,6 +78,19 @@ class BelongingsTest {
         assertThat(to.resolve("a.png")).hasContent("read");
     }
 
+    /** Nor does one of two that another program would call the same. */
+    @Test
+    void neitherOfTwoThatAreCalledTheSameIsTakenForTheOther() throws Exception {
+        Files.writeString(from.resolve("a.png"), "one");
+        Files.writeString(from.resolve("b.png"), "other");
+        Scene both = showing("a.png").plus(showing("b.png").objects().get(0));
+        assertThatThrownBy(() -> new Belongings(both, Assets.in(from)).takeUnpacked(to.resolve("scene.pov"), name -> "c.png")).hasMessageStartingWith("there is another picture b.png");
+        assertThat(to).isEmptyDirectory();
+        Files.writeString(from.resolve("b.png"), "one");
+        assertThat(new Belongings(both, Assets.in(from)).takeUnpacked(to.resolve("scene.pov"), name -> "c.png")).isEmpty();
+        assertThat(to.resolve("c.png")).hasContent("one");
+    }
+
     @Test
     void anotherFileOfTheSameNameStays() throws Exception {
         byte[] large = new byte[200_000];

@@ -113,8 +113,10 @@ class GltfMaterialsTest {
         assertThat(Read.text(ForeignFormat.GLTF, buffered).pictures().get("x.gltf#0.png")).isEqualTo(png);
         Model beside = Read.bytes(ForeignFormat.GLTF, document("'uri':'a%20b.png'", color).getBytes(StandardCharsets.UTF_8), Map.of("a b.png", png));
         assertThat(only(beside).files()).containsExactly("a b.png");
-        Model moved = Read.bytes(ForeignFormat.GLTF, document("'uri':'../tex/a%20b.png'", color).getBytes(StandardCharsets.UTF_8), Map.of("a b.png", png));
-        assertThat(only(moved).files()).containsExactly("a b.png");
+        for (String elsewhere : List.of("../tex/a%20b.png", "C:\\\\tex\\\\a%20b.png")) {
+            Model moved = Read.bytes(ForeignFormat.GLTF, document("'uri':'" + elsewhere + "'", color).getBytes(StandardCharsets.UTF_8), Map.of("a b.png", png));
+            assertThat(only(moved).files()).containsExactly("a b.png");
+        }
         assertThat(beside.pictures()).isEmpty();
     }
 

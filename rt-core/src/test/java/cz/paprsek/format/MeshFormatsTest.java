@@ -3,9 +3,11 @@ package cz.paprsek.format;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.format.model.Model;
 import cz.paprsek.material.Material;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.mesh.Triangles;
 import java.io.IOException;
 import java.nio.ByteOrder;
@@ -148,6 +150,22 @@ class MeshFormatsTest {
         Stream.of(there.split(" ")).forEach(name -> beside.put(name, new byte[0]));
         Model model = Read.bytes(ForeignFormat.OBJ, (HEAD + "mtllib m.mtl\nusemtl red\nf 1 2 3\n").getBytes(StandardCharsets.UTF_8), beside);
         assertThat(material(model, "red").files()).containsExactly(found);
+    }
+
+    /** What only might have been meant, or no face shows, is none of the files that a scene needs. */
+    @Test
+    void whereAPictureIsIsFoundOutWithoutReadingIt() throws IOException {
+        byte[] materials = """
+                newmtl red
+                map_Kd maps/red.png
+                newmtl blue
+                map_Kd maps/blue.png
+                """.getBytes(StandardCharsets.UTF_8);
+        byte[] any = {};
+        Assets assets = Assets.of(Map.of("m.obj", (HEAD + "mtllib m.mtl\nusemtl red\nf 1 2 3\n").getBytes(StandardCharsets.UTF_8), "m.mtl", materials,
+                "maps/red.png", any, "red.png", any, "maps/blue.png", any, "blue.png", any));
+        assertThat(Mesh.of("m.obj").read(MeshFiles.whole("m.obj", assets)).companions()).containsExactlyInAnyOrder("m.mtl", "maps/red.png");
+        assertThat(assets.digests()).containsOnlyKeys("m.obj", "m.mtl");
     }
 
     private static Material material(Model model, String name) {

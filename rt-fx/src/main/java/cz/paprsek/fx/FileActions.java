@@ -271,14 +271,14 @@ final class FileActions {
     void exportPov() {
         Optional<Path> own = document.sourceProperty().get().map(SceneSource::file);
         String name = fileName().replaceFirst("xml$", "pov");
-        dialogs.povToSave(own.map(file -> file.resolveSibling(name)).orElse(Path.of(name))).filter(file -> isSettled(() -> exportPov(file))).ifPresent(this::exportPov);
+        dialogs.povToSave(own.map(file -> file.resolveSibling(name)).orElse(Path.of(name))).filter(file -> isSettled("xml.export-without", () -> exportPov(file))).ifPresent(this::exportPov);
     }
 
     private void exportPov(Path target) {
         Scene scene = document.model().scene();
         Assets assets = document.model().assets();
         Background.run("paprsek-export", () -> PovExport.write(scene, assets, target), differences -> exported(target.getFileName(), differences),
-                fault -> notices.wrong(fault instanceof IOException unwritable ? Failures.sentence(target.toString(), unwritable) : target + ": " + fault.getMessage()));
+                fault -> failed(target, fault));
     }
 
     private void exported(Path name, List<String> differences) {
@@ -292,18 +292,18 @@ final class FileActions {
     }
 
     private boolean save(SceneSource source) {
-        return isSettled(() -> write(source)) && write(source);
+        return isSettled("xml.save-without", () -> write(source)) && write(source);
     }
 
     /** What is written in the scene's text belongs to it; if that is not valid, nothing is written before the user has said so. */
-    private boolean isSettled(Runnable anyway) {
+    private boolean isSettled(String without, Runnable anyway) {
         if (manuscript.flush()) {
             return true;
         }
         manuscript.page().problems().stream().findFirst().ifPresent(problem -> notices.ask(
                 texts.get().of("xml.held", problem.line(), texts.get().sentence(problem.message())), List.of(
                         new MessageBar.Choice("xml-go-there", texts.get().of("xml.go-there"), manuscript::point),
-                        new MessageBar.Choice("xml-save-without", texts.get().of("xml.save-without"), anyway))));
+                        new MessageBar.Choice("xml-save-without", texts.get().of(without), anyway))));
         return false;
     }
 

@@ -267,7 +267,7 @@ final class MainWindow {
 
     /** Escape that nobody else has had. */
     private void closeProblems(KeyEvent event) {
-        if (event.getCode() == KeyCode.ESCAPE && problems.isVisible()) {
+        if (event.getCode() == KeyCode.ESCAPE && !event.isConsumed() && problems.isVisible()) {
             problems.hide();
             event.consume();
         }

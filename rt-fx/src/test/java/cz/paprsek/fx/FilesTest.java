@@ -215,6 +215,9 @@ class FilesTest {
         assertThat(editor.gui.stage().getScene().lookup("#problems").isVisible()).isFalse();
         editor.gui.act(() -> editor.editor.files().open(file));
         editor.gui.until("problems are listed again", () -> editor.gui.stage().getScene().lookup("#problems").isVisible());
+        editor.gui.keys(KeyCode.E);
+        editor.gui.keys(KeyCode.ESCAPE);
+        assertThat(editor.gui.stage().getScene().lookup("#problems").isVisible()).as("the explanation is closed first").isTrue();
         editor.gui.keys(KeyCode.ESCAPE);
         assertThat(editor.gui.stage().getScene().lookup("#problems").isVisible()).isFalse();
         editor.gui.act(() -> editor.editor.files().open(file));

@@ -11,6 +11,7 @@ import cz.paprsek.shape.Mesh;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -44,8 +45,8 @@ public final class Pictures {
         return assets;
     }
 
-    /** Likewise, into those of another scene of the same file. */
-    public void read(Scene scene, Assets assets) throws IOException {
+    /** Likewise, into those of another scene of the same file; returns the scene with its meshes. */
+    public Scene read(Scene scene, Assets assets) throws IOException {
         Scene read = MeshFiles.read(scene, assets);
         Set<String> names = new TreeSet<>(scene.files());
         names.addAll(ofMeshes(read).keySet());
@@ -54,12 +55,13 @@ public final class Pictures {
                 assets.bytes(name);
             }
         }
+        return read;
     }
 
-    /** Those that have been read for the scenes of a file. */
-    public List<Path> files(Path file, Assets read) {
+    /** Where those are that the scenes of a file have by such names. */
+    public List<Path> files(Path file, Collection<String> names) {
         Path beside = Incoming.isOnce(file) ? Path.of("") : file.resolveSibling("");
-        return read.digests().keySet().stream().map(name -> folder.orElse(beside).resolve(name)).toList();
+        return names.stream().map(name -> folder.orElse(beside).resolve(name)).toList();
     }
 
     /** The pictures beside the files of meshes that show the materials of these, and for each the first such mesh; those within the files are there. */

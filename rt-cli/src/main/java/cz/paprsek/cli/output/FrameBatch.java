@@ -224,8 +224,7 @@ final class FrameBatch {
     private Assets assets(Scene scene) throws IOException {
         Assets known = assets == null ? batch.pictures().of(target.source().file()) : assets;
         if (assets == null || !files.equals(scene.files())) {
-            batch.pictures().read(scene, known);
-            batch.tellMissing(target, scene, known);
+            batch.tellMissing(target, batch.pictures().read(scene, known), known);
             files = scene.files();
             assets = known;
         }

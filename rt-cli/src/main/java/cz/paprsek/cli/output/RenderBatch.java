@@ -16,7 +16,6 @@ import cz.paprsek.cli.shard.Footage;
 import cz.paprsek.cli.shard.Order;
 import cz.paprsek.cli.shard.Sharing;
 import cz.paprsek.cli.shard.Span;
-import cz.paprsek.format.MeshFiles;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles.GrowingPng;
 import cz.paprsek.image.ImageFormat;
@@ -79,8 +78,8 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
                 return new FrameBatch(this, target, read, reel.wishes().frames().get()).run();
             }
             Scene seen = view.of(read);
-            Assets assets = pictures.read(target.source().file(), seen);
-            tellMissing(target, seen, assets);
+            Assets assets = pictures.of(target.source().file());
+            tellMissing(target, pictures.read(seen, assets), assets);
             return render(target, read, seen, assets, begin, new Still());
         } catch (WrongUsage e) {
             return fail(target, Outcome.WRONG_USAGE, List.of(file + ": " + e.getMessage()));
@@ -99,10 +98,10 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         }
     }
 
-    /** Tells what is missing beside meshes; of a model by itself all is told already. */
-    void tellMissing(Target target, Scene scene, Assets assets) throws IOException {
-        if (progress != Progress.Maker.SILENT && !scene.files().isEmpty() && target.source().reading().notes().isEmpty()) {
-            SceneWarnings.ofMeshes(MeshFiles.read(scene, assets)).forEach(warning -> terminal.message(target.source().label() + ": note: " + warning.message()));
+    /** Tells what is missing beside the meshes that have been read; of a model by itself all is told already. */
+    void tellMissing(Target target, Scene read, Assets assets) {
+        if (progress != Progress.Maker.SILENT && !assets.digests().isEmpty() && target.source().reading().notes().isEmpty()) {
+            SceneWarnings.ofMeshes(read).forEach(warning -> terminal.message(target.source().label() + ": note: " + warning.message()));
         }
     }
 
@@ -192,7 +191,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
 
     /** @throws WrongUsage if the picture would be written over one of the pictures that it shows */
     private void spare(Target target, Assets assets) {
-        target.file().ifPresent(file -> Originals.spare(file, "the picture of " + target.source().label(), "the scene's own", pictures.files(target.source().file(), assets)));
+        target.file().ifPresent(file -> Originals.spare(file, "the picture of " + target.source().label(), "the scene's own", pictures.files(target.source().file(), assets.digests().keySet())));
     }
 
     /** A picture that does not move. */

@@ -36,11 +36,15 @@ class OriginalsTest {
         assertThat(original).hasBinaryContent(before);
     }
 
+    /** A scene that shows the picture. */
+    private Path wood() throws IOException {
+        return Files.writeString(folder.resolve("wood.xml"), Files.readString(scene).replace("</scene>", """
+                <rectangle min="-1 -1" max="1 1"><material><image file="wood.png"/></material></rectangle></scene>"""));
+    }
+
     @Test
     void aPictureIsNotRenderedOverOneThatItShows() throws IOException {
-        Path wood = folder.resolve("wood.xml");
-        Files.writeString(wood, Files.readString(scene).replace("</scene>", """
-                <rectangle min="-1 -1" max="1 1"><material><image file="wood.png"/></material></rectangle></scene>"""));
+        Path wood = wood();
         Path link = Files.createSymbolicLink(folder.resolve("link.png"), picture);
         for (Object output : List.of(picture, folder + "/{name}.png", folder + "/", link)) {
             assertSpared(picture, "the picture of " + wood + " would overwrite the scene's own ", "render", wood, "-o", output);
@@ -50,8 +54,8 @@ class OriginalsTest {
         assertThat(Run.cli("render", wood, "-o", folder.resolve("other.png")).code()).isZero();
     }
 
-    @Test
-    void aModelIsNotRenderedOverThePictureOfItsMaterial() throws IOException {
+    /** With a material that shows a picture. */
+    private Path model(String shown) throws IOException {
         Path model = folder.resolve("wood.obj");
         Files.writeString(model, """
                 mtllib wood.mtl
@@ -64,9 +68,26 @@ class OriginalsTest {
                 """);
         Files.writeString(folder.resolve("wood.mtl"), """
                 newmtl wood
-                map_Kd wood.png
-                """);
+                map_Kd %s
+                """.formatted(shown));
+        return model;
+    }
+
+    @Test
+    void aModelIsNotRenderedOverThePictureOfItsMaterial() throws IOException {
+        Path model = model("wood.png");
         assertSpared(picture, "the picture of " + model + " would overwrite the scene's own ", "render", model, "-o", folder + "/", "--size", "4x4");
+    }
+
+    /** Beside the model, a picture that it has elsewhere might be looked for. */
+    @Test
+    void aModelIsRenderedAgainOverItsOwnPicture() throws IOException {
+        Files.copy(picture, Files.createDirectory(folder.resolve("maps")).resolve("wood.png"));
+        Path model = model("maps/wood.png");
+        for (Path shown : List.of(model, Scenes.scene(folder.resolve("shown.xml"), "<mesh file='wood.obj'/>"))) {
+            Run run = Run.cli("render", shown, "-o", picture, "--size", "4x4");
+            assertThat(run.code()).as(run.err()).isZero();
+        }
     }
 
     @Test
@@ -80,6 +101,15 @@ class OriginalsTest {
     void aSceneIsNoPlaceForWhatIsSaidOfIt() throws IOException {
         assertSpared(scene, "the drawing would overwrite the scene ", "explain", scene, "3,3", "--svg", scene);
         assertSpared(scene, "evidence would overwrite the scene ", "grade", scene, picture, "--evidence", scene);
+        Path other = Files.copy(picture, folder.resolve("other.png"));
+        assertSpared(picture, "evidence would overwrite the scene's own ", "grade", wood(), other, "--evidence", picture);
+    }
+
+    @Test
+    void aSceneThatAnotherIncludesIsNoPlaceForThat() throws IOException {
+        Path parts = Files.writeString(folder.resolve("parts.xml"), "<scene xmlns='urn:paprsek:scene:1'><define name='post'><cylinder radius='1' height='2'/></define></scene>");
+        Path whole = Scenes.scene(folder.resolve("whole.xml"), "<include file='parts.xml'/><instance of='post'/>");
+        assertSpared(parts, "the new file would overwrite the scene's own ", "convert", whole, parts);
     }
 
     @Test

@@ -17,11 +17,12 @@ public interface Companions {
 
     /** The name of a picture as it is found: as it is written, or, since models come from other machines, by its last part if that lies beside the model and the other is not there. */
     default String picture(String name) {
-        String last = name.substring(name.lastIndexOf('/') + 1);
-        return last.equals(name) || !isThere(last) || isThere(name) ? name : last;
+        String last = name.substring(Math.max(name.lastIndexOf('/'), name.lastIndexOf('\\')) + 1);
+        return last.equals(name) || isThere(name) || !isThere(last) ? name : last;
     }
 
-    private boolean isThere(String name) {
+    /** Whether there is such a file. */
+    default boolean isThere(String name) {
         try {
             bytes(name);
             return true;

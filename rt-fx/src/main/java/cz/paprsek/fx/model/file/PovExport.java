@@ -18,9 +18,13 @@ public final class PovExport {
      * Writes it, with the files that it needs beside it.
      *
      * @return what is not shown there as it is here, in sentences
-     * @throws IllegalArgumentException if POV-Ray has no words for something in the scene
+     * @throws IOException if it cannot be written, or POV-Ray has no words for something in the scene
      */
     public static List<String> write(Scene scene, Assets assets, Path target) throws IOException {
-        return Stream.concat(new Belongings(scene, assets).takeUnpacked(target, PovFiles::nameOf).stream(), PovFiles.write(MeshFiles.read(scene, assets), target).stream()).toList();
+        try {
+            return Stream.concat(new Belongings(scene, assets).takeUnpacked(target, PovFiles::nameOf).stream(), PovFiles.write(MeshFiles.read(scene, assets), target).stream()).toList();
+        } catch (IllegalArgumentException refused) {
+            throw new IOException(refused.getMessage(), refused);
+        }
     }
 }
